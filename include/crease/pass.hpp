@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/glsl_file.hpp>
+#include <crease/parameters.hpp>
+#include <crease/resource.hpp>
+
+#include <span>
+
+namespace crease {
+
+/// What a pass runs as.
+enum class stage_kind : unsigned char {
+    compute,  ///< one invocation per texel of the output
+    fragment, ///< one triangle that covers the output
+    functions ///< no `main`: functions that an engine's own shader calls
+};
+
+enum class dialect_kind : unsigned char {
+    vulkan, ///< GLSL 450 for Vulkan 1.1 and up
+    opengl  ///< GLSL 430 for OpenGL 4.3 and up
+};
+
+/// How a pass touches a resource.
+enum class access : unsigned char {
+    uniform,    ///< a std140 block
+    sample,     ///< a sampled image, nearest filter, clamped to the edge, one level
+    store,      ///< a storage image that is written
+    attachment, ///< the colour attachment of location 0; has no binding
+    result      ///< the return value of a function; has no binding
+};
+
+/// One resource that a pass uses, and where it is bound.
+struct binding {
+    std::string_view name; ///< the GLSL identifier, e.g. "crease_depth"
+    unsigned resource = 0; ///< index into the effect's resources
+    access how = access::uniform;
+    unsigned set = 0;  ///< Vulkan descriptor set; 0 in OpenGL
+    unsigned slot = 0; ///< Vulkan binding; in OpenGL the unit, counted for each of blocks, textures and images
+};
+
+/// A number of a part: a specialization constant in Vulkan GLSL, a `const int` in OpenGL GLSL.
+struct constant {
+    std::string_view part;   ///< e.g. "directions"
+    std::string_view number; ///< e.g. "steps"; the GLSL identifier is crease_directions_steps
+    unsigned id = 0;         ///< constant_id
+    int value = 0;           ///< the default
+};
+
+/// A piece of a pass's text, with the name that an error message uses.
+using piece = glsl_file;
+
+/// One shader of an effect: its text, and all that a renderer must know to run it.
+struct pass {
+    std::string_view name; ///< e.g. "visibility", "bilateral_x"
+    stage_kind stage = stage_kind::compute;
+    dialect_kind dialect = dialect_kind::vulkan;
+    std::span<const piece> pieces;        ///< in order; joined they are the GLSL program
+    std::span<const piece> vertex_pieces; ///< the vertex shader of a fragment pass; empty otherwise
+    std::span<const binding> bindings;    ///< the last is the output
+    std::span<const constant> constants;  ///< of a compute pass the first two are the workgroup's width and height
+    extent size;                          ///< of the output: how many invocations or fragments
+
+    /// Workgroup width and height in invocations; 0 where the pass is not compute.
+    constexpr unsigned group_width() const {
+        return stage == stage_kind::compute ? static_cast<unsigned>(constants[0].value) : 0;
+    }
+    constexpr unsigned group_height() const {
+        return stage == stage_kind::compute ? static_cast<unsigned>(constants[1].value) : 0;
+    }
+};
+
+/// Device features that an effect requires beyond Vulkan 1.1 or OpenGL 4.3.
+struct device_features {
+    /// Vulkan: shaderStorageImageExtendedFormats (storing to R8). Core in OpenGL 4.3.
+    bool extended_storage_formats = false;
+
+    /// Whether a device that has these features can run what requires `wanted`.
+    constexpr bool cover(const device_features& wanted) const {
+        return extended_storage_formats || !wanted.extended_storage_formats;
+    }
+    constexpr bool operator==(const device_features&) const = default;
+};
+
+/// An effect as data, whether it was composed at compile time or at run time: all a renderer needs to run it.
+/// Views static storage, or that of the `composition` it came from.
+struct effect_view {
+    std::span<const pass> passes;         ///< in the order of execution
+    std::span<const resource> resources;  ///< resource 0 is the block of parameters; the last is the output
+    device_features features;
+    parameters defaults;                  ///< the settings as the parts recommend them; no view in it yet
+};
+
+}
