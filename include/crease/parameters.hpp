@@ -13,18 +13,20 @@ namespace crease {
 struct parameters {
     float view_from_texel[4] = {1, 1, 0, 0}; ///< xy scale and zw offset: texel -> view-space xy at depth 1
                                              ///< (perspective) or at any depth (orthographic)
-    float depth_unpack[2] = {0, 1}; ///< device depth z -> z * [0] + [1]: 1 / depth (perspective), depth (orthographic)
-    float far_depth = 1e15f;        ///< view-space units; a depth at or beyond it, or NaN, is background: visibility 1
-    float radius = 1;               ///< world-space AO radius R, view-space units, >= 0
-    float resolution[2] = {1, 1};   ///< of the picture, in texels
-    float texel_size[2] = {1, 1};   ///< 1 / the size of the depth image, which may be larger than the picture
-    float bias = 0;                 ///< see the estimator's settings
-    float threshold = 0;            ///< see the estimator's settings
-    float strength = 1;             ///< multiplies the occlusion (stochastic-depth-ao 8.1), >= 0
-    float exponent = 1;             ///< applied to the visibility (stochastic-depth-ao 8.1), > 0
-    float sharpness = 0;            ///< see the filter's settings
-    std::uint32_t frame = 0;        ///< index that changes the per-pixel randomness
-    float unused[2] = {0, 0};       ///< pads to a multiple of 16 bytes
+    float depth_unpack[2] = {
+        0, 1}; ///< device depth z -> z * [0] + [1]: 1 / depth (perspective), depth (orthographic)
+    float far_depth =
+        1e15f;        ///< view-space units; a depth at or beyond it, or NaN, is background: visibility 1
+    float radius = 1; ///< world-space AO radius R, view-space units, >= 0
+    float resolution[2] = {1, 1}; ///< of the picture, in texels
+    float texel_size[2] = {1, 1}; ///< 1 / the size of the depth image, which may be larger than the picture
+    float bias = 0;               ///< see the estimator's settings
+    float threshold = 0;          ///< see the estimator's settings
+    float strength = 1;           ///< multiplies the occlusion (stochastic-depth-ao 8.1), >= 0
+    float exponent = 1;           ///< applied to the visibility (stochastic-depth-ao 8.1), > 0
+    float sharpness = 0;          ///< see the filter's settings
+    std::uint32_t frame = 0;      ///< index that changes the per-pixel randomness
+    float unused[2] = {0, 0};     ///< pads to a multiple of 16 bytes
 
     constexpr bool operator==(const parameters&) const = default;
 };
@@ -39,14 +41,16 @@ static_assert(offsetof(parameters, view_from_texel) == 0 && offsetof(parameters,
 
 /// Which clip space a projection matrix maps to, and which row of the depth image comes first.
 struct clip_space {
-    bool depth_zero_to_one = true; ///< NDC depth in [0, 1] (Vulkan, Direct3D), else in [-1, 1] and stored as z/2 + 1/2
-    bool y_up = false;             ///< NDC y = -1 is the last row of the image (Direct3D, or Vulkan with a negative
-                                   ///< viewport height); else it is row 0 (Vulkan, OpenGL)
+    bool depth_zero_to_one =
+        true;          ///< NDC depth in [0, 1] (Vulkan, Direct3D), else in [-1, 1] and stored as z/2 + 1/2
+    bool y_up = false; ///< NDC y = -1 is the last row of the image (Direct3D, or Vulkan with a negative
+                       ///< viewport height); else it is row 0 (Vulkan, OpenGL)
 };
 
-/// Fills the view of `p` from a projection matrix, perspective or orthographic, also off-centre, with standard,
-/// reversed or infinite-far depth.
-/// @param matrix column-major, view space to clip space; with [11] = -1 and [15] = 0 perspective, with [11] = 0 and
+/// Fills the view of `p` from a projection matrix, perspective or orthographic, also off-centre, with
+/// standard, reversed or infinite-far depth.
+/// @param matrix column-major, view space to clip space; with [11] = -1 and [15] = 0 perspective, with [11] =
+/// 0 and
 ///               [15] = 1 orthographic
 /// @param width,height resolution of the picture in texels, > 0
 /// @return false, with `p` unchanged, where the matrix is neither or is singular, or a size is 0

@@ -32,11 +32,12 @@ enum class access : unsigned char {
 
 /// One resource that a pass uses, and where it is bound.
 struct binding {
-    std::string_view name; ///< the GLSL identifier, e.g. "crease_depth"
+    std::string_view name; ///< "parameters", "input", "output" or the resource's; in GLSL crease_<name>
     unsigned resource = 0; ///< index into the effect's resources
     access how = access::uniform;
-    unsigned set = 0;  ///< Vulkan descriptor set; 0 in OpenGL
-    unsigned slot = 0; ///< Vulkan binding; in OpenGL the unit, counted for each of blocks, textures and images
+    unsigned set = 0; ///< Vulkan descriptor set; 0 in OpenGL
+    unsigned slot =
+        0; ///< Vulkan binding; in OpenGL the unit, counted for each of blocks, textures and images
 };
 
 /// A number of a part: a specialization constant in Vulkan GLSL, a `const int` in OpenGL GLSL.
@@ -58,8 +59,9 @@ struct pass {
     std::span<const piece> pieces;        ///< in order; joined they are the GLSL program
     std::span<const piece> vertex_pieces; ///< the vertex shader of a fragment pass; empty otherwise
     std::span<const binding> bindings;    ///< the last is the output
-    std::span<const constant> constants;  ///< of a compute pass the first two are the workgroup's width and height
-    extent size;                          ///< of the output: how many invocations or fragments
+    std::span<const constant>
+        constants; ///< of a compute pass the first two are the workgroup's width and height
+    extent size;   ///< of the output: how many invocations or fragments
 
     /// Workgroup width and height in invocations; 0 where the pass is not compute.
     constexpr unsigned group_width() const {
@@ -85,10 +87,10 @@ struct device_features {
 /// An effect as data, whether it was composed at compile time or at run time: all a renderer needs to run it.
 /// Views static storage, or that of the `composition` it came from.
 struct effect_view {
-    std::span<const pass> passes;         ///< in the order of execution
-    std::span<const resource> resources;  ///< resource 0 is the block of parameters; the last is the output
+    std::span<const pass> passes;        ///< in the order of execution
+    std::span<const resource> resources; ///< resource 0 is the block of parameters; the last is the output
     device_features features;
-    parameters defaults;                  ///< the settings as the parts recommend them; no view in it yet
+    parameters defaults; ///< the settings as the parts recommend them; no view in it yet
 };
 
 }

@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/effect.hpp>
+#include <crease/parts.hpp>
+#include <crease/recipe.hpp>

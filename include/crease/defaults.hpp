@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/dialect/vulkan.hpp>
+#include <crease/stage/compute.hpp>
+#include <crease/view/device_depth.hpp>
+#include <crease/view/given_normals.hpp>
+#include <crease/view/perspective.hpp>
+
+namespace crease {
+
+/// The parts of an effect that need not be named.
+inline constexpr choice default_choices[] = {choice_of<perspective>(), choice_of<device_depth>(),
+                                             choice_of<given_normals>(), choice_of<compute<>>(),
+                                             choice_of<vulkan_glsl>()};
+
+}

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/part.hpp>
+
+namespace crease {
+
+/// Layers of depth that can be told one by one.
+CREASE_TRAIT(depth_layers, depth_source,
+             "the estimator needs single layers of depth, which the depth source does not hold");
+
+/// The fold of the layered papers: the layer that occludes the most counts for the tap.
+inline constexpr glsl_file fold_max_glsl{
+    "core/fold_max.glsl",
+#include <crease/core/fold_max.glsl>
+};
+
+}

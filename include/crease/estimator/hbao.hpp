@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/depth/layers.hpp>
+#include <crease/sampler/taps.hpp>
+
+namespace crease {
+
+inline constexpr glsl_file hbao_glsl{
+    "estimator/hbao.glsl",
+#include <crease/estimator/hbao.glsl>
+};
+
+/// Estimator: horizon-based ambient occlusion. The defaults aim at the `linear` truth.
+struct hbao {
+    using needs = traits<ordered_taps, depth_layers>;
+    static constexpr setting reads[] = {
+        {"bias", &parameters::bias, 0.1f, 0, 1.5f, "angle added to the tangent's, radians"},
+        {"threshold", &parameters::threshold, 0, -1, 1,
+         "least cosine between the normal and a tap that counts"},
+        {"strength", &parameters::strength, 1, 0, 16, "factor of the occlusion"},
+        {"exponent", &parameters::exponent, 1, 0.01f, 16, "power of the visibility"},
+    };
+    static constexpr part description{
+        .kind = role::estimator,
+        .name = "hbao",
+        .summary = "horizons over the tangent plane, with a quadratic falloff",
+        .source = "stochastic-depth-ao 2020, 4.2 and 4.4, Algorithm 2",
+        .glsl = &hbao_glsl,
+        .settings = reads,
+        .needs = needs::list,
+        .fold = &fold_max_glsl,
+    };
+};
+
+}

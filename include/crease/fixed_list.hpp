@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace crease {
+
+/// A list of at most `Capacity` items in place, so that composing needs no allocation.
+template <class Item, std::size_t Capacity>
+struct fixed_list {
+    Item items[Capacity]{};
+    std::size_t count = 0;
+
+    constexpr void add(const Item& item) {
+        items[count++] = item;
+    } // past Capacity: an error in a constant expression
+    constexpr std::size_t size() const { return count; }
+    constexpr bool full() const { return count == Capacity; }
+    constexpr const Item* begin() const { return items; }
+    constexpr const Item* end() const { return items + count; }
+    constexpr const Item& operator[](std::size_t i) const { return items[i]; }
+    constexpr Item& operator[](std::size_t i) { return items[i]; }
+    constexpr const Item* data() const { return items; }
+};
+
+/// Text of at most `Capacity` characters in place. What does not fit is cut off, and `cut` says so.
+template <std::size_t Capacity>
+struct fixed_text {
+    char characters[Capacity]{};
+    std::size_t count = 0;
+    bool cut = false;
+
+    constexpr fixed_text& operator<<(std::string_view text) {
+        if (text.size() > Capacity - count) {
+            text = text.substr(0, Capacity - count);
+            cut = true;
+        }
+        for (char c : text)
+            characters[count++] = c;
+        return *this;
+    }
+    constexpr fixed_text& operator<<(int value) {
+        char digits[12]{};
+        std::size_t first = 12;
+        long long rest = value < 0 ? -static_cast<long long>(value) : value;
+        do
+            digits[--first] = static_cast<char>('0' + rest % 10);
+        while ((rest /= 10) != 0);
+        if (value < 0)
+            digits[--first] = '-';
+        return *this << std::string_view(digits + first, 12 - first);
+    }
+    constexpr fixed_text& operator<<(unsigned value) { return *this << static_cast<int>(value); }
+    constexpr std::string_view view() const { return {characters, count}; }
+};
+
+}

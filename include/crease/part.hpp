@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/glsl_file.hpp>
+#include <crease/parameters.hpp>
+#include <crease/pass.hpp>
+#include <crease/resource.hpp>
+
+#include <span>
+#include <string_view>
+
+namespace crease {
+
+/// What a part does in an effect.
+enum class role : unsigned char {
+    sampler,        ///< where to look: proposes taps around the receiver
+    depth_source,   ///< what may be there: the layers of depth that a tap finds
+    estimator,      ///< what it means: how much a layer occludes the receiver
+    projection,     ///< view: between texels, view space and device depth
+    depth_encoding, ///< view: what the depth image holds
+    normals,        ///< view: where the receiver's normal comes from
+    filter,         ///< passes over the visibility: denoising, upsampling
+    stage,          ///< what a pass runs as
+    dialect         ///< which GLSL it is written in
+};
+
+constexpr std::string_view name_of(role r) {
+    constexpr std::string_view names[] = {"sampler",    "depth source",   "estimator",
+                                          "projection", "depth encoding", "normals",
+                                          "filter",     "stage",          "dialect"};
+    return names[static_cast<unsigned>(r)];
+}
+
+/// An integer that a part takes as a template argument; in GLSL crease_<part>_<name>.
+struct number {
+    std::string_view name;
+    int least, most; ///< inclusive
+    int fallback;    ///< where a recipe gives none
+    std::string_view meaning;
+};
+
+/// A field of `parameters` that a part reads, and the value that it recommends.
+struct setting {
+    std::string_view name;
+    float parameters::*field;
+    float fallback;
+    float least, most; ///< inclusive
+    std::string_view meaning;
+};
+
+/// Something that one part needs and another offers: a kind of tap, an attribute of a layer. See
+/// CREASE_TRAIT.
+struct trait {
+    role from;                 ///< who must offer it: the sampler, the depth source or the estimator
+    std::string_view sentence; ///< why an effect without it is refused
+};
+
+/// How a pass keeps its result in the texels of an image; its GLSL defines crease_encode_<name> and, where a
+/// filter can read it, crease_decode_<name>.
+struct encoding {
+    std::string_view name;
+    format texels;
+    const glsl_file* glsl;
+};
+
+/// A `const int` of one step; in GLSL crease_<part>_<name>.
+struct step_constant {
+    std::string_view name;
+    int value;
+};
+
+/// A pass as a part describes it; its body defines `crease_result crease_evaluate(ivec2 pixel)`.
+struct step {
+    std::string_view name; ///< of the pass
+    const glsl_file* body = nullptr;
+    std::span<const role> includes{}; ///< roles whose functions the body calls
+    std::span<const step_constant> constants{};
+    const encoding* input = nullptr;           ///< a filter's: how it wants the result of the pass before it
+    bool full_size_input = false;              ///< a filter's: whether that must be as large as the picture
+    std::span<const std::string_view> reads{}; ///< the part's own resources that the body reads
+    std::string_view writes{}; ///< the part's own resource that the step fills before the main pass
+};
+
+/// What a part says of itself. Parts are open: a host describes its own and composes it with those of crease.
+struct part {
+    role kind;
+    std::string_view name;    ///< in recipes and as the stem of its file, e.g. "hbao"
+    std::string_view summary; ///< one line
+    std::string_view source;  ///< paper, chapter, algorithm
+    const glsl_file* glsl = nullptr;
+    std::span<const glsl_file* const>
+        helpers{}; ///< GLSL that must stand before `glsl`: the tap's struct, the noise
+    std::span<const number> numbers{};
+    std::span<const setting> settings{};
+    std::span<const trait* const> needs{};
+    std::span<const trait* const> offers{};
+    std::span<const resource>
+        resources{};                 ///< inputs that its functions read, transients that its steps write
+    std::span<const step> steps{};   ///< a depth source's before the main pass, a filter's after it
+    const glsl_file* fold = nullptr; ///< how the layers of a tap become one contribution; a depth source's
+                                     ///< takes precedence over the estimator's
+    int upsampling = -1;             ///< a filter's: index of the number by which its output is larger
+    stage_kind stage_of = stage_kind::compute;      ///< a stage's
+    dialect_kind dialect_of = dialect_kind::vulkan; ///< a dialect's
+};
+
+/// The most numbers that a part may take.
+inline constexpr std::size_t most_numbers = 4;
+
+/// A part with its numbers: what a template argument of `effect` or a word of a recipe comes down to.
+struct choice {
+    const part* what = nullptr;
+    int numbers[most_numbers]{};
+};
+
+/// A type that names a part: it has `description`, `numbers` where the part takes any, and `needs` (a
+/// `traits<...>`) where it needs something of another part.
+template <class T>
+concept a_part = requires {
+    static_cast<const part*>(&T::description);
+};
+
+/// The choice that a part's type stands for.
+template <a_part Part>
+constexpr choice choice_of() {
+    choice c{&Part::description, {}};
+    if constexpr (requires { Part::numbers; }) {
+        std::size_t i = 0;
+        for (int value : Part::numbers)
+            c.numbers[i++] = value;
+    }
+    return c;
+}
+
+/// A list of traits, as a type and as the data in `part::needs` and `part::offers`.
+template <class... Traits>
+struct traits {
+    static constexpr const trait* values[] = {&Traits::value...};
+    static constexpr std::span<const trait* const> list{values};
+};
+
+constexpr bool has(std::span<const trait* const> list, const trait* wanted) {
+    for (const trait* t : list)
+        if (t == wanted)
+            return true;
+    return false;
+}
+
+/// Whether the part of type `Part` offers `Trait`.
+template <class Part, class Trait>
+constexpr bool offers = has(Part::description.offers, &Trait::value);
+
+}
+
+/// Defines a trait. `sentence_` says who needs what and who does not offer it: it is the static assertion and
+/// the run-time refusal.
+#define CREASE_TRAIT(name_, from_, sentence_)                                                                \
+    struct name_ {                                                                                           \
+        static constexpr ::crease::trait value{::crease::role::from_, sentence_};                            \
+        template <class Needer, class Offerer>                                                               \
+        static constexpr bool met() {                                                                        \
+            static_assert(::crease::offers<Offerer, name_>, "crease::effect: " sentence_);                   \
+            return ::crease::offers<Offerer, name_>;                                                         \
+        }                                                                                                    \
+    }

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The index of all parts. To add one: its GLSL in templates/crease/<role>/<name>.glsl, its struct in
+// include/crease/<role>/<name>.hpp, one include and one line here, and its tests in tests/<role>/<name>.cpp.
+
+#include <crease/depth/single_layer.hpp>
+#include <crease/dialect/opengl.hpp>
+#include <crease/dialect/vulkan.hpp>
+#include <crease/estimator/hbao.hpp>
+#include <crease/estimator/hbao_plus.hpp>
+#include <crease/estimator/ssao.hpp>
+#include <crease/filter/bilateral.hpp>
+#include <crease/filter/upsample.hpp>
+#include <crease/sampler/directions.hpp>
+#include <crease/sampler/hemisphere_points.hpp>
+#include <crease/sampler/poisson_disk.hpp>
+#include <crease/stage/compute.hpp>
+#include <crease/stage/fragment.hpp>
+#include <crease/stage/functions.hpp>
+#include <crease/view/device_depth.hpp>
+#include <crease/view/given_normals.hpp>
+#include <crease/view/linear_depth.hpp>
+#include <crease/view/orthographic.hpp>
+#include <crease/view/perspective.hpp>
+#include <crease/view/reconstructed_normals.hpp>
+
+namespace crease {
+
+/// Every part of crease, for recipes and lists.
+inline constexpr const part* all_parts[] = {
+    &directions_part::description,
+    &hemisphere_points_part::description,
+    &poisson_disk_part::description,
+    &single_layer::description,
+    &hbao::description,
+    &hbao_plus::description,
+    &ssao::description,
+    &bilateral_part::description,
+    &upsample_part::description,
+    &perspective::description,
+    &orthographic::description,
+    &device_depth::description,
+    &linear_depth::description,
+    &given_normals::description,
+    &reconstructed_normals::description,
+    &compute_part::description,
+    &fragment::description,
+    &functions_part::description,
+    &vulkan_glsl::description,
+    &opengl_glsl::description,
+};
+
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/sampler/taps.hpp>
+
+namespace crease {
+
+inline constexpr glsl_file directions_glsl{
+    "sampler/directions.glsl",
+#include <crease/sampler/directions.glsl>
+};
+
+struct directions_part {
+    static constexpr const glsl_file* helpers[] = {&noise_glsl, &screen_tap_glsl};
+    static constexpr number takes[] = {
+        {"count", 1, 64, 8, "directions, dividing the circle evenly"},
+        {"steps", 1, 64, 4, "taps along each direction, evenly over the radius"},
+    };
+    static constexpr part description{
+        .kind = role::sampler,
+        .name = "directions",
+        .summary = "marches along directions on the screen, with a random angle and first step per pixel",
+        .source = "stochastic-depth-ao 2020, 4.2, Algorithms 2 and 3",
+        .glsl = &directions_glsl,
+        .helpers = helpers,
+        .numbers = takes,
+        .offers = traits<screen_taps, ordered_taps>::list,
+    };
+};
+
+/// Sampler: `Count` directions of `Steps` taps each.
+template <int Count = 8, int Steps = 4>
+struct directions : directions_part {
+    static constexpr int numbers[] = {Count, Steps};
+};
+
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/sampler/taps.hpp>
+
+namespace crease {
+
+inline constexpr glsl_file hemisphere_points_glsl{
+    "sampler/hemisphere_points.glsl",
+#include <crease/sampler/hemisphere_points.glsl>
+};
+
+struct hemisphere_points_part {
+    static constexpr const glsl_file* helpers[] = {&noise_glsl, &point_tap_glsl};
+    static constexpr number takes[] = {{"count", 1, 256, 16, "points in the hemisphere"}};
+    static constexpr part description{
+        .kind = role::sampler,
+        .name = "hemisphere_points",
+        .summary = "points in the hemisphere over the receiver, turned by a random angle per pixel",
+        .source = "stochastic-depth-ao 2020, 4.1, Algorithm 1",
+        .glsl = &hemisphere_points_glsl,
+        .helpers = helpers,
+        .numbers = takes,
+        .offers = traits<point_taps>::list,
+    };
+};
+
+/// Sampler: `Count` points in the normal-oriented hemisphere.
+template <int Count = 16>
+struct hemisphere_points : hemisphere_points_part {
+    static constexpr int numbers[] = {Count};
+};
+
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/sampler/taps.hpp>
+
+namespace crease {
+
+inline constexpr glsl_file poisson_disk_glsl{
+    "sampler/poisson_disk.glsl",
+#include <crease/sampler/poisson_disk.glsl>
+};
+
+struct poisson_disk_part {
+    static constexpr const glsl_file* helpers[] = {&noise_glsl, &screen_tap_glsl};
+    static constexpr number takes[] = {{"count", 1, 64, 16, "taps in the disk of the radius"}};
+    static constexpr part description{
+        .kind = role::sampler,
+        .name = "poisson_disk",
+        .summary = "taps spread evenly over the disk of the radius, turned by a random angle per pixel",
+        .source = "a-buffer-ssao 2013, V A",
+        .glsl = &poisson_disk_glsl,
+        .helpers = helpers,
+        .numbers = takes,
+        .offers = traits<screen_taps>::list,
+    };
+};
+
+/// Sampler: `Count` taps of a Poisson disk.
+template <int Count = 16>
+struct poisson_disk : poisson_disk_part {
+    static constexpr int numbers[] = {Count};
+};
+
+}

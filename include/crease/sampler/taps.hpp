@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/part.hpp>
+
+namespace crease {
+
+/// Taps on the screen, each at the centre of a texel.
+CREASE_TRAIT(screen_taps, sampler,
+             "the estimator needs taps on the screen, which the sampler does not propose");
+
+/// Screen taps in order of distance along directions.
+CREASE_TRAIT(ordered_taps, sampler,
+             "the estimator needs taps in order along directions, which the sampler does not propose");
+
+/// Taps at points of view space.
+CREASE_TRAIT(point_taps, sampler,
+             "the estimator needs taps at points in space, which the sampler does not propose");
+
+inline constexpr glsl_file screen_tap_glsl{
+    "sampler/screen_tap.glsl",
+#include <crease/sampler/screen_tap.glsl>
+};
+
+inline constexpr glsl_file point_tap_glsl{
+    "sampler/point_tap.glsl",
+#include <crease/sampler/point_tap.glsl>
+};
+
+inline constexpr glsl_file noise_glsl{
+    "core/noise.glsl",
+#include <crease/core/noise.glsl>
+};
+
+}

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/pass.hpp>
+#include <crease/spirv/reflection.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace crease::spirv::detail {
+
+/// A member of the GLSL block of parameters and where crease::parameters has it.
+struct mirrored_member {
+    std::string_view name;
+    std::size_t offset;
+};
+
+inline constexpr mirrored_member parameter_members[] = {
+    {"crease_view_from_texel", offsetof(parameters, view_from_texel)},
+    {"crease_depth_unpack", offsetof(parameters, depth_unpack)},
+    {"crease_far_depth", offsetof(parameters, far_depth)},
+    {"crease_radius", offsetof(parameters, radius)},
+    {"crease_resolution", offsetof(parameters, resolution)},
+    {"crease_texel_size", offsetof(parameters, texel_size)},
+    {"crease_bias", offsetof(parameters, bias)},
+    {"crease_threshold", offsetof(parameters, threshold)},
+    {"crease_strength", offsetof(parameters, strength)},
+    {"crease_exponent", offsetof(parameters, exponent)},
+    {"crease_sharpness", offsetof(parameters, sharpness)},
+    {"crease_frame", offsetof(parameters, frame)},
+};
+
+constexpr std::string_view name_of(format f) {
+    constexpr std::string_view names[] = {"none",      "r8_unorm",     "r32_uint",
+                                          "r32_float", "rgba16_float", "d32_float"};
+    return names[static_cast<unsigned>(f)];
+}
+
+constexpr std::string_view name_of(binding_kind kind) {
+    constexpr std::string_view names[] = {"a uniform block", "a storage block", "a sampled image",
+                                          "a storage image", "another kind of descriptor"};
+    return names[static_cast<unsigned>(kind)];
+}
+
+constexpr bool has_descriptor(access how) {
+    return how != access::attachment && how != access::result;
+}
+
+constexpr binding_kind kind_of(access how) {
+    return how == access::uniform  ? binding_kind::uniform_block
+           : how == access::sample ? binding_kind::sampled_image
+                                   : binding_kind::storage_image;
+}
+
+/// Compares one module with one pass, and collects a sentence for each difference.
+class comparison {
+public:
+    comparison(const effect_view& effect, const pass& declared, const reflection& found)
+        : effect_(effect), declared_(declared), found_(found) {
+        compare_entry();
+        compare_bindings();
+        compare_constants();
+        if (declared.stage == stage_kind::compute)
+            compare_workgroup();
+    }
+
+    std::vector<std::string> sentences;
+
+private:
+    const effect_view& effect_;
+    const pass& declared_;
+    const reflection& found_;
+
+    void say(std::string sentence) {
+        sentences.push_back("pass '" + std::string(declared_.name) + "': " + std::move(sentence));
+    }
+    void differ(const std::string& what, const std::string& declared, const std::string& found) {
+        if (declared != found)
+            say(what + " is declared as " + declared + ", but the SPIR-V has " + found);
+    }
+
+    static std::string place(std::uint32_t set, std::uint32_t slot) {
+        return "set " + std::to_string(set) + " binding " + std::to_string(slot);
+    }
+
+    void compare_entry() {
+        const bool compute = declared_.stage == stage_kind::compute;
+        if (found_.model != (compute ? execution_model::compute : execution_model::fragment))
+            say(std::string("the SPIR-V is not a ") + (compute ? "compute" : "fragment") + " shader");
+        if (found_.entry_point != "main")
+            say("the entry point is '" + found_.entry_point + "', not 'main'");
+        const bool attached = std::ranges::any_of(
+            declared_.bindings, [](const binding& b) { return b.how == access::attachment; });
+        const bool outputs = found_.colours.size() == 1 && found_.colours[0].location == 0;
+        if (attached && !outputs)
+            say("its attachment wants one colour output of location 0, but the SPIR-V has " +
+                std::to_string(found_.colours.size()) + " colour outputs" +
+                (found_.colours.size() == 1 ? ", of location " + std::to_string(found_.colours[0].location)
+                                            : ""));
+    }
+
+    void compare_bindings() {
+        std::size_t declared_count = 0;
+        for (const binding& b : declared_.bindings) {
+            if (!has_descriptor(b.how))
+                continue;
+            ++declared_count;
+            const auto at = std::ranges::find_if(found_.bindings, [&b](const bound_resource& f) {
+                return f.set == b.set && f.slot == b.slot;
+            });
+            if (at == found_.bindings.end())
+                say("the SPIR-V has nothing at " + place(b.set, b.slot) + ", where crease_" +
+                    std::string(b.name) + " is declared");
+            else
+                compare_binding(b, *at);
+        }
+        for (const bound_resource& f : found_.bindings) {
+            const bool declared = std::ranges::any_of(declared_.bindings, [&f](const binding& b) {
+                return has_descriptor(b.how) && b.set == f.set && b.slot == f.slot;
+            });
+            if (!declared)
+                say("the SPIR-V has " + f.name + " at " + place(f.set, f.slot) +
+                    ", where nothing is declared");
+        }
+    }
+
+    void compare_binding(const binding& b, const bound_resource& f) {
+        const std::string what = place(b.set, b.slot), name = "crease_" + std::string(b.name);
+        differ(what, name, f.name);
+        differ(name, std::string(name_of(kind_of(b.how))), std::string(name_of(f.kind)));
+        if (f.kind != kind_of(b.how))
+            return;
+        if (b.how == access::uniform)
+            return compare_block(f);
+        const resource& image = effect_.resources[b.resource];
+        if (b.how == access::store)
+            differ("the format of " + name, std::string(name_of(image.texels)),
+                   std::string(name_of(f.texels)));
+        if (b.how == access::store && !f.writable)
+            say(name + " is declared as stored to, but the SPIR-V only reads it");
+        const bool whole_numbers = image.texels == format::r32_uint;
+        if (f.component != (whole_numbers ? scalar_kind::unsigned_integer : scalar_kind::floating_point))
+            say(name + " holds " + std::string(name_of(image.texels)) +
+                ", which the SPIR-V accesses as another type");
+        if (f.arrayed != (image.layers > 1))
+            say(name + " is declared with " + std::to_string(image.layers) +
+                " layers, but in the SPIR-V it is " + (f.arrayed ? "an array" : "no array"));
+        if (f.multisampled != (image.samples > 1))
+            say(name + " is declared with " + std::to_string(image.samples) +
+                " samples, but in the SPIR-V it is " +
+                (f.multisampled ? "multisampled" : "not multisampled"));
+    }
+
+    void compare_block(const bound_resource& block) {
+        for (const mirrored_member& mirrored : parameter_members) {
+            const auto at = std::ranges::find(block.members, mirrored.name, &block_member::name);
+            if (at == block.members.end())
+                say("the block of parameters in the SPIR-V lacks " + std::string(mirrored.name));
+            else
+                differ("the offset of " + at->name, std::to_string(mirrored.offset),
+                       std::to_string(at->offset));
+        }
+        for (const block_member& member : block.members)
+            if (std::ranges::find(parameter_members, member.name, &mirrored_member::name) ==
+                std::end(parameter_members))
+                say("crease::parameters lacks " + member.name + ", which is in the SPIR-V");
+        differ("the size of the block of parameters", std::to_string(sizeof(parameters)),
+               std::to_string(block.size));
+    }
+
+    void compare_constants() {
+        for (const constant& c : declared_.constants) {
+            const std::string name = "crease_" + std::string(c.part) + "_" + std::string(c.number);
+            bool there = false;
+            for (const specialization_constant& f : found_.constants) {
+                if (f.id != c.id)
+                    continue;
+                there = true;
+                const std::string what = "constant_id " + std::to_string(c.id);
+                if (!f.name.empty()) // a workgroup size has none
+                    differ(what, name, f.name);
+                differ("the default of " + name, std::to_string(c.value),
+                       std::to_string(static_cast<std::int32_t>(f.value)));
+            }
+            if (!there)
+                say("the SPIR-V has no constant_id " + std::to_string(c.id) + ", which is declared as " +
+                    name);
+        }
+        for (const specialization_constant& f : found_.constants)
+            if (std::ranges::find(declared_.constants, f.id, &constant::id) == declared_.constants.end())
+                say("the SPIR-V has constant_id " + std::to_string(f.id) + " (" + f.name +
+                    "), which is not declared");
+    }
+
+    void compare_workgroup() {
+        if (declared_.constants.size() < 2)
+            return say("a compute pass declares its workgroup's width and height as its first two constants");
+        const unsigned sizes[] = {declared_.group_width(), declared_.group_height(), 1};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const workgroup_axis& found = found_.workgroup[axis];
+            const std::string what = std::string("the workgroup's ") + "xyz"[axis];
+            differ(what, std::to_string(sizes[axis]), std::to_string(found.size));
+            if (axis < 2 && found.id != declared_.constants[axis].id)
+                say(what + " is not set by constant_id " + std::to_string(declared_.constants[axis].id));
+        }
+    }
+};
+
+}
+
+namespace crease::spirv {
+
+/// What a module, as compile() gives it, has otherwise than its effect declares: bindings, their names, kinds
+/// and formats, the layout of the block of parameters, specialization constants, workgroup size, colour
+/// output.
+/// @param declared  a compute or fragment pass of `effect`
+/// @return one sentence for each difference; empty where there is none
+inline std::vector<std::string> mismatches(const effect_view& effect, const pass& declared,
+                                           const reflection& found) {
+    return detail::comparison(effect, declared, found).sentences;
+}
+
+}

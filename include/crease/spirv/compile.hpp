@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/spirv/parse.hpp>
+
+#include <glslang/SPIRV/GlslangToSpv.h>
+
+namespace crease::spirv {
+
+/// Compiles one stage of Vulkan GLSL to SPIR-V 1.3 for Vulkan 1.1, not optimised.
+/// @param pieces  joined in order they are the program; the first begins with `#version`
+/// @param what    names the shader in errors
+/// @throws error  with `file:line: message` of the first mistake, the line being that of the piece's file
+inline words compile(std::span<const piece> pieces, shader_stage stage,
+                     std::string_view what = "the shader") {
+    const auto shader = detail::parse(pieces, stage, dialect_kind::vulkan, what);
+    glslang::TProgram program;
+    program.addShader(shader.get());
+    detail::link(program, dialect_kind::vulkan, what);
+
+    glslang::SpvOptions options;
+    options.disableOptimizer = true;
+    spv::SpvBuildLogger log;
+    words module;
+    glslang::GlslangToSpv(*program.getIntermediate(detail::language_of(stage)), module, &log, &options);
+    if (module.empty())
+        throw error(std::string(what) + " gives no SPIR-V:" + detail::readable(log.getAllMessages()));
+    return module;
+}
+
+}
+
+namespace crease::spirv::detail {
+
+inline std::string title_of(const pass& which) {
+    return "pass '" + std::string(which.name) + "'";
+}
+
+/// @throws error  where the pass is not a whole program in `dialect`
+inline void expect_program(const pass& which, dialect_kind dialect) {
+    if (which.stage == stage_kind::functions)
+        throw error(title_of(which) + " is functions for an engine's own shader: it has no main to compile");
+    if (which.dialect != dialect)
+        throw error(title_of(which) +
+                    (which.dialect == dialect_kind::opengl
+                         ? " is GLSL for OpenGL, which SPIR-V for Vulkan cannot be made from"
+                         : " is GLSL for Vulkan, not for OpenGL"));
+}
+
+constexpr shader_stage stage_of(const pass& which) {
+    return which.stage == stage_kind::compute ? shader_stage::compute : shader_stage::fragment;
+}
+
+}
+
+namespace crease::spirv {
+
+/// Compiles the compute or fragment shader of a Vulkan pass; see compile() above.
+/// @throws error  also where the pass has no main (stage `functions`) or is for OpenGL
+inline words compile(const pass& which) {
+    detail::expect_program(which, dialect_kind::vulkan);
+    return compile(which.pieces, detail::stage_of(which), detail::title_of(which));
+}
+
+/// Compiles the vertex shader of a fragment pass; see compile() above.
+/// @throws error  also where the pass has no vertex shader
+inline words compile_vertex(const pass& which) {
+    detail::expect_program(which, dialect_kind::vulkan);
+    if (which.vertex_pieces.empty())
+        throw error(detail::title_of(which) + " has no vertex shader");
+    return compile(which.vertex_pieces, shader_stage::vertex, detail::title_of(which));
+}
+
+/// Checks a pass for OpenGL as a driver would begin to: each stage parses as the GLSL of its `#version`, and
+/// the stages of the pass link, with the outputs of the vertex shader matching the inputs of the fragment
+/// shader. Makes no code, and knows no driver's limits or extensions beyond the language's.
+/// @throws error  with `file:line: message` of the first mistake
+inline void check_opengl(const pass& which) {
+    detail::expect_program(which, dialect_kind::opengl);
+    const std::string what = detail::title_of(which);
+    const auto main = detail::parse(which.pieces, detail::stage_of(which), dialect_kind::opengl, what);
+    std::unique_ptr<glslang::TShader> vertex;
+    if (!which.vertex_pieces.empty())
+        vertex = detail::parse(which.vertex_pieces, shader_stage::vertex, dialect_kind::opengl, what);
+    glslang::TProgram program;
+    program.addShader(main.get());
+    if (vertex)
+        program.addShader(vertex.get());
+    detail::link(program, dialect_kind::opengl, what);
+}
+
+}

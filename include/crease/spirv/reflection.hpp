@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/resource.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace crease::spirv {
+
+/// What a descriptor binding of a module is.
+enum class binding_kind : unsigned char {
+    uniform_block,
+    storage_block,
+    sampled_image, ///< an image with its sampler
+    storage_image,
+    other ///< a separate image or sampler, a texel buffer, ...
+};
+
+/// The type of a number.
+enum class scalar_kind : unsigned char { none, boolean, signed_integer, unsigned_integer, floating_point };
+
+/// A member of a block.
+struct block_member {
+    std::string name;
+    std::uint32_t offset = 0; ///< bytes
+};
+
+/// A descriptor binding.
+struct bound_resource {
+    std::uint32_t set = 0, slot = 0;
+    std::string name; ///< of the variable, or of the block where the variable has none
+    binding_kind kind = binding_kind::other;
+    scalar_kind component = scalar_kind::none; ///< what an image's texels are read or written as
+    format texels = format::none;              ///< of a storage image, where crease knows its format
+    bool arrayed = false, multisampled = false;
+    bool readable = true, writable = true; ///< a sampled image and a uniform block are never writable
+    std::vector<block_member> members;     ///< of a block
+    std::uint32_t size = 0;                ///< of a block: bytes, rounded up to 16 for a uniform block
+};
+
+/// A specialization constant.
+struct specialization_constant {
+    std::uint32_t id = 0;
+    std::string name; ///< empty where it is a workgroup size that only `local_size_x_id` and the like name
+    scalar_kind type = scalar_kind::none;
+    std::uint32_t value = 0; ///< the default's bits
+};
+
+/// The workgroup size along one axis.
+struct workgroup_axis {
+    std::uint32_t size = 0;          ///< invocations; the default where `id` is set
+    std::optional<std::uint32_t> id; ///< of the specialization constant that sets it
+};
+
+/// A colour output of a fragment shader.
+struct colour_output {
+    std::uint32_t location = 0;
+    std::string name;
+};
+
+/// What runs a module's entry point.
+enum class execution_model : unsigned char { vertex, fragment, compute, other };
+
+/// What a module says of its interface.
+struct reflection {
+    execution_model model = execution_model::other;
+    std::string entry_point;
+    std::vector<bound_resource> bindings;           ///< sorted by set and slot
+    std::vector<specialization_constant> constants; ///< sorted by id
+    std::array<workgroup_axis, 3> workgroup;        ///< x, y, z of a compute shader
+    std::vector<colour_output> colours;             ///< of a fragment shader, sorted by location
+};
+
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/part.hpp>
+
+namespace crease {
+
+inline constexpr glsl_file device_depth_glsl{
+    "view/device_depth.glsl",
+#include <crease/view/device_depth.glsl>
+};
+
+/// Depth encoding: the depth image is the depth buffer, in [0, 1]. The default.
+struct device_depth {
+    static constexpr resource inputs[] = {{"depth", format::d32_float}};
+    static constexpr part description{
+        .kind = role::depth_encoding,
+        .name = "device_depth",
+        .summary = "the depth image holds device depth",
+        .source = "stochastic-depth-ao 2020, 4.4",
+        .glsl = &device_depth_glsl,
+        .resources = inputs,
+    };
+};
+
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/part.hpp>
+
+namespace crease {
+
+inline constexpr glsl_file given_normals_glsl{
+    "view/given_normals.glsl",
+#include <crease/view/given_normals.glsl>
+};
+
+/// Normals: an image of view-space normals that face the camera. The default.
+struct given_normals {
+    static constexpr resource inputs[] = {{"normal", format::rgba16_float}};
+    static constexpr part description{
+        .kind = role::normals,
+        .name = "given_normals",
+        .summary = "an image holds view-space normals",
+        .source = "stochastic-depth-ao 2020, 4.4",
+        .glsl = &given_normals_glsl,
+        .resources = inputs,
+    };
+};
+
+}

@@ -1,0 +1,20 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// Two numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
+
+uvec3 crease_noise_hash(uvec3 v) {
+    v = v * 1664525u + 1013904223u;
+    v += v.yzx * v.zxy;
+    v ^= v >> 16u;
+    v += v.yzx * v.zxy;
+    return v;
+}
+
+vec2 crease_noise(ivec2 pixel) {
+    return vec2(crease_noise_hash(uvec3(uvec2(pixel), crease_frame)).xy >> 8u) * (1.0 / 16777216.0);
+}
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,30 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// The point whose visibility is asked for.
+struct crease_receiver {
+    ivec2 pixel;   // of the pass's output
+    vec2 texel;    // texel space of the depth image
+    vec3 position; // view space
+    vec3 normal;   // view space, unit
+    vec3 to_eye;   // view space, unit
+    mat2 disk;     // offsets on the disk of the AO radius that faces the eye, in units of the radius, to texels
+};
+
+// What a pass computes for a pixel.
+struct crease_result {
+    float visibility; // 1 open, 0 closed
+    float depth;      // positive, linear; crease_far_depth where there is only background
+};
+
+// Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
+ivec2 crease_size(int divisor) { return (ivec2(crease_resolution) + divisor - 1) / divisor; }
+
+// The texel of the picture that stands for a pixel of a picture that is smaller by `divisor`.
+vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
+    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_resolution) - 1)) + 0.5;
+}
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,52 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// The loop of every technique: each tap of the sampler, each layer of the depth source, weighed by the estimator.
+
+float crease_depth_at(vec2 texel);
+vec3 crease_view_position(vec2 texel, float depth);
+vec3 crease_to_eye(vec3 position);
+mat2 crease_disk(vec3 position, vec3 to_eye);
+vec3 crease_normal_at(vec2 texel, vec3 position);
+crease_pattern crease_pattern_begin(crease_receiver receiver);
+int crease_direction_count();
+int crease_step_count();
+void crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
+crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
+crease_estimate crease_estimate_begin(crease_receiver receiver);
+void crease_estimate_turn(inout crease_estimate estimate);
+crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap);
+void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
+float crease_estimate_occlusion(crease_estimate estimate);
+
+crease_result crease_evaluate(ivec2 pixel) {
+    crease_receiver receiver;
+    receiver.pixel = pixel;
+    receiver.texel = crease_texel_of_pixel(pixel, crease_divisor);
+    float depth = crease_depth_at(receiver.texel);
+    if (!(depth > 0.0 && depth < crease_far_depth)) // also where it is NaN
+        return crease_result(1.0, crease_far_depth);
+    receiver.position = crease_view_position(receiver.texel, depth);
+    receiver.to_eye = crease_to_eye(receiver.position);
+    receiver.disk = crease_disk(receiver.position, receiver.to_eye);
+    receiver.normal = crease_normal_at(receiver.texel, receiver.position);
+
+    crease_pattern pattern = crease_pattern_begin(receiver);
+    crease_estimate estimate = crease_estimate_begin(receiver);
+    for (int direction = 0; direction < crease_direction_count(); ++direction) {
+        crease_pattern_turn(pattern, receiver, direction);
+        crease_estimate_turn(estimate);
+        for (int step = 0; step < crease_step_count(); ++step) {
+            crease_tap tap = crease_pattern_tap(pattern, receiver, step);
+            if (tap.inside)
+                crease_estimate_add(estimate, crease_fold(estimate, receiver, tap));
+        }
+    }
+    float occlusion = crease_estimate_occlusion(estimate);
+    // Strength and exponent: stochastic-depth-ao 8.1.
+    return crease_result(pow(clamp(1.0 - occlusion * crease_strength, 0.0, 1.0), crease_exponent), depth);
+}
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,36 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// Taps projected onto the normal: stochastic-depth-ao, Algorithm 3.
+
+struct crease_estimate {
+    float occlusion; // summed over the taps
+    float taps;
+};
+
+struct crease_contribution {
+    float occlusion;
+};
+
+crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_estimate(0.0, 0.0); }
+
+void crease_estimate_turn(inout crease_estimate estimate) {}
+
+crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
+    vec3 to_tap = position - receiver.position;
+    float squared = dot(to_tap, to_tap);
+    float rise = dot(to_tap, receiver.normal) * inversesqrt(squared) - crease_bias;
+    float falloff = 1.0 - squared / (crease_radius * crease_radius);
+    return crease_contribution(squared < crease_radius * crease_radius ? falloff * max(rise, 0.0) : 0.0);
+}
+
+void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {
+    estimate.occlusion += contribution.occlusion;
+    estimate.taps += 1.0;
+}
+
+float crease_estimate_occlusion(crease_estimate estimate) { return estimate.occlusion / max(estimate.taps, 1.0); }
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,45 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// Directions that divide the circle evenly, marched in even steps; both start at a random offset per pixel:
+// stochastic-depth-ao, Algorithms 2 and 3.
+
+vec2 crease_noise(ivec2 pixel);
+
+struct crease_pattern {
+    vec2 direction; // unit, on the disk that faces the eye
+    vec2 stride;    // texels
+    vec2 first;     // texels, from the receiver to step 0
+    float offset;   // of step 0, in strides
+};
+
+float crease_directions_angle() { return 6.28318531 / float(crease_directions_count); }
+
+crease_pattern crease_pattern_begin(crease_receiver receiver) {
+    vec2 noise = crease_noise(receiver.pixel);
+    float angle = noise.x * crease_directions_angle();
+    return crease_pattern(vec2(cos(angle), sin(angle)), vec2(0.0), vec2(0.0), noise.y);
+}
+
+int crease_direction_count() { return crease_directions_count; }
+
+int crease_step_count() { return crease_directions_steps; }
+
+void crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) {
+    vec2 turn = vec2(cos(crease_directions_angle()), sin(crease_directions_angle()));
+    pattern.direction = vec2(turn.x * pattern.direction.x - turn.y * pattern.direction.y,
+                             turn.y * pattern.direction.x + turn.x * pattern.direction.y);
+    pattern.offset = fract(pattern.offset + 0.61803399); // another first step in each direction
+    pattern.stride = receiver.disk * pattern.direction / float(crease_directions_steps + 1);
+    // One texel further, so that no tap falls on the receiver itself.
+    pattern.first = receiver.texel + pattern.stride * pattern.offset + normalize(pattern.stride);
+}
+
+crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
+    vec2 texel = floor(pattern.first + pattern.stride * float(step)) + 0.5;
+    return crease_tap(texel, all(greaterThan(texel, vec2(0.0))) && all(lessThan(texel, crease_resolution)));
+}
+#ifdef __cplusplus
+")glsl"
+#endif

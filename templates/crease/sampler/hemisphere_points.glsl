@@ -1,0 +1,49 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// Points in the hemisphere over the receiver, turned about the normal by a random angle per pixel:
+// stochastic-depth-ao 4.1. Directions are distributed by the cosine and distances evenly, so that the share of points
+// behind a surface at distance d is the cosine-weighted occlusion with a linear falloff, 1 - d / R.
+
+vec2 crease_noise(ivec2 pixel);
+vec3 crease_view_position(vec2 texel, float depth);
+vec2 crease_texel_at(vec3 position);
+
+struct crease_pattern {
+    vec3 tangent, bitangent; // view space, unit
+    vec2 direction;          // unit, in the tangent plane
+    float distance;          // in radii
+};
+
+crease_pattern crease_pattern_begin(crease_receiver receiver) {
+    vec2 noise = crease_noise(receiver.pixel);
+    vec3 normal = receiver.normal;
+    vec3 axis = abs(normal.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+    vec3 tangent = normalize(cross(axis, normal));
+    float angle = 6.28318531 * noise.x;
+    return crease_pattern(tangent, cross(normal, tangent), vec2(cos(angle), sin(angle)), noise.y);
+}
+
+int crease_direction_count() { return 1; }
+
+int crease_step_count() { return crease_hemisphere_points_count; }
+
+void crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) {}
+
+crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
+    const vec2 golden_angle = vec2(-0.73736888, 0.67549029);
+    pattern.direction = vec2(golden_angle.x * pattern.direction.x - golden_angle.y * pattern.direction.y,
+                             golden_angle.y * pattern.direction.x + golden_angle.x * pattern.direction.y);
+    pattern.distance = fract(pattern.distance + 0.75487767);
+    float share = (float(step) + 0.5) / float(crease_hemisphere_points_count);
+    vec2 sideways = pattern.direction * sqrt(share);
+    vec3 point = receiver.position + (crease_radius * pattern.distance) *
+        (pattern.tangent * sideways.x + pattern.bitangent * sideways.y + receiver.normal * sqrt(1.0 - share));
+    vec2 texel = floor(crease_texel_at(point)) + 0.5;
+    bool inside = point.z < 0.0 && all(greaterThan(texel, vec2(0.0))) && all(lessThan(texel, crease_resolution));
+    return crease_tap(texel, inside, crease_view_position(texel, -point.z));
+}
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,13 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// A tap at a point of view space, moved onto the ray through the centre of the texel that it falls into.
+struct crease_tap {
+    vec2 texel;
+    bool inside; // whether the texel is in the picture
+    vec3 point;
+};
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,12 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// A tap on the screen, at the centre of a texel.
+struct crease_tap {
+    vec2 texel;
+    bool inside; // whether the texel is in the picture
+};
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,11 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+crease_result crease_evaluate(ivec2 pixel);
+
+// Visibility of a pixel of the pass's output: 1 open, 0 closed.
+float crease_visibility(ivec2 pixel) { return crease_evaluate(pixel).visibility; }
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,14 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// The depth image holds device depth, as the depth buffer does.
+
+float crease_linear_depth(float device);
+
+float crease_depth_at(vec2 texel) {
+    return crease_linear_depth(textureLod(crease_depth, texel * crease_texel_size, 0.0).x);
+}
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,16 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// The normals image holds view-space normals, facing the camera, of any length.
+
+vec3 crease_to_eye(vec3 position);
+
+vec3 crease_normal_at(vec2 texel, vec3 position) {
+    vec3 normal = textureLod(crease_normal, texel * crease_texel_size, 0.0).xyz;
+    float squared = dot(normal, normal);
+    return squared > 0.0 ? normal * inversesqrt(squared) : crease_to_eye(position);
+}
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,13 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// The depth image holds positive linear view depth.
+
+float crease_depth_at(vec2 texel) {
+    float depth = textureLod(crease_depth, texel * crease_texel_size, 0.0).x;
+    return depth > 0.0 ? depth : crease_far_depth; // a hole must not become an occluder at the eye
+}
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,25 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// An orthographic projection, centred or not; depth standard or reversed.
+
+float crease_linear_depth(float device) { return device * crease_depth_unpack.x + crease_depth_unpack.y; }
+
+vec3 crease_view_position(vec2 texel, float depth) {
+    return vec3(texel * crease_view_from_texel.xy + crease_view_from_texel.zw, -depth);
+}
+
+vec2 crease_texel_at(vec3 position) {
+    return (position.xy - crease_view_from_texel.zw) / crease_view_from_texel.xy;
+}
+
+vec3 crease_to_eye(vec3 position) { return vec3(0.0, 0.0, 1.0); }
+
+mat2 crease_disk(vec3 position, vec3 to_eye) {
+    vec2 scale = crease_radius / crease_view_from_texel.xy;
+    return mat2(scale.x, 0.0, 0.0, scale.y);
+}
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,31 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// A perspective projection, centred or not; depth standard, reversed or infinite: stochastic-depth-ao 4.4.
+
+float crease_linear_depth(float device) {
+    return 1.0 / max(device * crease_depth_unpack.x + crease_depth_unpack.y, 1e-16);
+}
+
+vec3 crease_view_position(vec2 texel, float depth) {
+    return vec3(texel * crease_view_from_texel.xy + crease_view_from_texel.zw, -1.0) * depth;
+}
+
+vec2 crease_texel_at(vec3 position) {
+    return (position.xy / -position.z - crease_view_from_texel.zw) / crease_view_from_texel.xy;
+}
+
+vec3 crease_to_eye(vec3 position) { return -normalize(position); }
+
+// Derivative of the projection at `position` along two axes that face the eye, times the radius.
+mat2 crease_disk(vec3 position, vec3 to_eye) {
+    vec3 across = normalize(vec3(to_eye.z, 0.0, -to_eye.x));
+    vec3 up = cross(to_eye, across);
+    vec2 ray = position.xy / -position.z;
+    vec2 scale = crease_radius / (-position.z * crease_view_from_texel.xy);
+    return mat2((across.xy + ray * across.z) * scale, (up.xy + ray * up.z) * scale);
+}
+#ifdef __cplusplus
+")glsl"
+#endif
