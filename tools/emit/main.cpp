@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The part of the command that crease_add_shader runs, so that a host's build needs no more than glslang.
+#include "arguments.hpp"
+
+#include <fmt/format.h>
+
+int main(int count, char** arguments) {
+    CLI::App app{"Emits the shaders of a recipe", "crease_emit"};
+    crease::tools::emit_options options;
+    crease::tools::add_emit_arguments(app, options);
+    CLI11_PARSE(app, count, arguments);
+    try {
+        crease::tools::emit(options);
+    } catch (const std::exception& failure) {
+        fmt::print(stderr, "crease_emit: {}\n", failure.what());
+        return 1;
+    }
+    return 0;
+}
