@@ -9,7 +9,9 @@ namespace crease::tools {
 
 /// Adds the arguments of `crease emit` to a command.
 inline void add_emit_arguments(CLI::App& command, emit_options& options) {
-    command.add_option("recipe", options.recipe, "SAMPLER/DEPTH/ESTIMATOR[/FILTER...], as `crease list` names them")
+    command
+        .add_option("recipe", options.recipe,
+                    "SAMPLER/DEPTH/ESTIMATOR[/FILTER...], as `crease list` names them")
         ->required();
     command.add_option("--stage", options.stage, "what the passes run as")
         ->check(CLI::IsMember({"compute", "fragment"}))

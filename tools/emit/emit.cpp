@@ -27,7 +27,9 @@ const char* extension(const pass& p) {
     return of_stage[static_cast<int>(p.stage)];
 }
 
-bool has_spirv(const pass& p) { return p.stage != stage_kind::functions && p.dialect == dialect_kind::vulkan; }
+bool has_spirv(const pass& p) {
+    return p.stage != stage_kind::functions && p.dialect == dialect_kind::vulkan;
+}
 
 spirv::words checked(spirv::words module) {
     spirv::validate(module);
@@ -115,9 +117,11 @@ std::vector<std::filesystem::path> emit(const emit_options& options) {
     const std::span<const pass> passes = composed->view().passes;
     if (options.format == emit_format::header && !is_identifier(options.name))
         throw std::runtime_error(fmt::format("'{}' is no C++ identifier to name a header by", options.name));
-    if ((options.format == emit_format::spirv || options.format == emit_format::spirv_asm) && !has_spirv(passes[0]))
-        throw std::runtime_error("SPIR-V can be emitted of programs in the vulkan dialect only: functions and the "
-                                 "opengl dialect come as GLSL, by --format glsl or header");
+    if ((options.format == emit_format::spirv || options.format == emit_format::spirv_asm) &&
+        !has_spirv(passes[0]))
+        throw std::runtime_error(
+            "SPIR-V can be emitted of programs in the vulkan dialect only: functions and the "
+            "opengl dialect come as GLSL, by --format glsl or header");
     make_directory(options.directory);
 
     std::vector<std::filesystem::path> written;

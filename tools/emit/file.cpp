@@ -20,8 +20,8 @@ void write_file(const std::filesystem::path& path, std::string_view bytes) {
     if (!file || failed) {
         std::error_code ignored;
         std::filesystem::remove(draft, ignored);
-        throw std::runtime_error(
-            fmt::format("cannot write '{}': check that its directory is there, writable and has room", path.string()));
+        throw std::runtime_error(fmt::format(
+            "cannot write '{}': check that its directory is there, writable and has room", path.string()));
     }
 }
 
@@ -29,7 +29,8 @@ void make_directory(const std::filesystem::path& path) {
     std::error_code failed;
     std::filesystem::create_directories(path, failed);
     if (failed)
-        throw std::runtime_error(fmt::format("cannot make the directory '{}': {}", path.string(), failed.message()));
+        throw std::runtime_error(
+            fmt::format("cannot make the directory '{}': {}", path.string(), failed.message()));
 }
 
 }

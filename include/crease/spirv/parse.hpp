@@ -62,6 +62,8 @@ inline std::string readable(std::string_view log) {
     for (std::string line; std::getline(lines, line);) {
         if (says_nothing(line))
             continue;
+        while (line.back() == ' ')
+            line.pop_back();
         text += '\n' + (line.starts_with(mark) ? line.substr(mark.size()) : line);
     }
     return text;

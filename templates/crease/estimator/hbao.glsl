@@ -7,6 +7,8 @@ R"glsl("
 // The Z axis of the paper's figure 4.5 is the direction to the eye, and the tangent is taken at the azimuth of the tap
 // itself, which its texel moves off the marched direction: so a plane is unoccluded at every slant.
 
+int crease_direction_count();
+
 struct crease_estimate {
     float occlusion; // summed over the directions
     float horizon;   // of this direction: sine of its angle less the sine of the tangent's

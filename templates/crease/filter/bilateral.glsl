@@ -6,34 +6,42 @@ R"glsl("
 
 crease_result crease_decode(uvec4 texel);
 
+// The slope of one side, or where that looks like an edge, the other side's carried on.
+float crease_bilateral_slope(float own, float other, float tightness) {
+    return abs(own) * tightness > 1.0 && abs(own) > 2.0 * abs(other) ? -other : own;
+}
+
 crease_result crease_evaluate(ivec2 pixel) {
-    ivec2 size = crease_size(crease_divisor);
     vec2 scale = 1.0 / vec2(textureSize(crease_input, 0));
+    vec2 last = vec2(crease_size(crease_divisor));
     vec2 axis = vec2(crease_bilateral_axis == 0, crease_bilateral_axis == 1);
-    vec2 texel = vec2(pixel) + 0.5;
-    crease_result centre = crease_decode(textureLod(crease_input, texel * scale, 0.0));
-    if (!(centre.depth < crease_far_depth * 0.99))
-        return centre;
+    vec2 centre = vec2(pixel) + 0.5;
+    crease_result own = crease_decode(textureLod(crease_input, centre * scale, 0.0));
+    if (!(own.depth < crease_far_depth * 0.99)) // the encoding rounds it
+        return own;
     float tightness = crease_sharpness / max(crease_radius, 1e-20);
     const float spread = 2.0 / float(crease_bilateral_radius * crease_bilateral_radius);
-    float sum = centre.visibility;
-    float weights = 1.0;
-    for (int side = -1; side <= 1; side += 2) {
-        float slope = 0.0;
-        for (int i = 1; i <= crease_bilateral_radius; ++i) {
-            vec2 at = texel + axis * float(side * i);
-            crease_result other = crease_decode(textureLod(crease_input, at * scale, 0.0));
-            float apart = other.depth - centre.depth;
-            if (i == 1)
-                slope = apart;
-            apart = (apart - slope * float(i)) * tightness;
-            float weight = exp2(-spread * float(i * i) - apart * apart);
-            weight = all(greaterThan(at, vec2(0.0))) && all(lessThan(at, vec2(size))) ? weight : 0.0;
-            sum += other.visibility * weight;
-            weights += weight;
+    vec2 sum = vec2(own.visibility, 1.0);
+    float slope_before = 0.0, slope_after = 0.0;
+    for (int i = 1; i <= crease_bilateral_radius; ++i) {
+        float away = float(i);
+        vec2 at_before = centre - axis * away, at_after = centre + axis * away;
+        crease_result before = crease_decode(textureLod(crease_input, at_before * scale, 0.0));
+        crease_result after = crease_decode(textureLod(crease_input, at_after * scale, 0.0));
+        float apart_before = before.depth - own.depth, apart_after = after.depth - own.depth;
+        if (i == 1) {
+            slope_before = crease_bilateral_slope(apart_before, apart_after, tightness);
+            slope_after = crease_bilateral_slope(apart_after, apart_before, tightness);
         }
+        apart_before = (apart_before - slope_before * away) * tightness;
+        apart_after = (apart_after - slope_after * away) * tightness;
+        float weight_before = exp2(-spread * away * away - apart_before * apart_before);
+        float weight_after = exp2(-spread * away * away - apart_after * apart_after);
+        weight_before = dot(at_before, axis) > 0.0 ? weight_before : 0.0;
+        weight_after = dot(last - at_after, axis) > 0.0 ? weight_after : 0.0;
+        sum += vec2(before.visibility, 1.0) * weight_before + vec2(after.visibility, 1.0) * weight_after;
     }
-    return crease_result(sum / weights, centre.depth);
+    return crease_result(sum.x / sum.y, own.depth);
 }
 #ifdef __cplusplus
 ")glsl"

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/pass.hpp>
+
+#include <vulkan/vulkan.h>
+
+#include <string>
+
+namespace crease::vulkan::detail {
+
+/// A feature as crease and as Vulkan name it.
+struct known_feature {
+    bool device_features::*field;
+    VkBool32 VkPhysicalDeviceFeatures::*flag;
+    const char* name;
+};
+
+/// All of them: a new field of crease::device_features needs one line here.
+inline constexpr known_feature known_features[] = {
+    {&device_features::extended_storage_formats, &VkPhysicalDeviceFeatures::shaderStorageImageExtendedFormats,
+     "shaderStorageImageExtendedFormats"},
+};
+
+constexpr device_features features_of(const VkPhysicalDeviceFeatures& supported) {
+    device_features features;
+    for (const known_feature& known : known_features)
+        features.*known.field = supported.*known.flag;
+    return features;
+}
+
+/// What is wanted and not there, by Vulkan's names, separated by ", "; empty where all is there.
+inline std::string missing_features(const device_features& there, const device_features& wanted) {
+    std::string missing;
+    for (const known_feature& known : known_features)
+        if (wanted.*known.field && !(there.*known.field))
+            missing.append(missing.empty() ? "" : ", ").append(known.name);
+    return missing;
+}
+
+}

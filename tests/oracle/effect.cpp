@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "effect.hpp"
+
+#include <crease/sampler/poisson_disk.hpp>
+
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+namespace oracle {
+
+namespace {
+
+constexpr double two_pi = 2 * glm::pi<double>();
+
+/// How texel coordinates move with an offset in space that faces the eye, by the two points themselves.
+glm::dvec2 texel_offset(const picture& p, const receiver& r, glm::dvec3 offset) {
+    const double small = 1e-5;
+    return (p.project(r.position + offset * small) - p.project(r.position - offset * small)) / (2 * small);
+}
+
+/// Two axes across the direction to the eye, the first of them level.
+void axes(const picture& p, const receiver& r, glm::dvec3& across, glm::dvec3& up) {
+    across =
+        p.is_perspective() ? glm::normalize(glm::cross(glm::dvec3(0, 1, 0), r.to_eye)) : glm::dvec3(1, 0, 0);
+    up = glm::cross(r.to_eye, across);
+}
+
+tap texel_of(glm::dvec2 coordinates) {
+    return {static_cast<int>(std::floor(coordinates.x)), static_cast<int>(std::floor(coordinates.y)), {}};
+}
+
+double falloff(double distance, double radius) {
+    return 1 - (distance / radius) * (distance / radius);
+}
+
+}
+
+glm::dvec2 noise(int x, int y, std::uint32_t frame) {
+    std::uint32_t v[3] = {static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), frame};
+    for (std::uint32_t& c : v)
+        c = c * 1664525u + 1013904223u;
+    const auto mix = [&v] {
+        const std::uint32_t a = v[0] + v[1] * v[2], b = v[1] + v[2] * v[0], c = v[2] + v[0] * v[1];
+        v[0] = a, v[1] = b, v[2] = c;
+    };
+    mix();
+    for (std::uint32_t& c : v)
+        c ^= c >> 16;
+    mix();
+    return {(v[0] >> 8) / 16777216.0, (v[1] >> 8) / 16777216.0};
+}
+
+glm::dvec3 reconstruct_normal(const picture& p, int x, int y) {
+    const glm::dvec3 centre = p.position(x, y);
+    const auto tangent = [&](int dx, int dy) {
+        const bool before = p.contains(x - dx, y - dy), after = p.contains(x + dx, y + dy);
+        if (!before && !after)
+            return glm::dvec3(0);
+        const glm::dvec3 behind = before ? centre - p.position(x - dx, y - dy) : glm::dvec3(0, 0, 1e9);
+        const glm::dvec3 ahead = after ? p.position(x + dx, y + dy) - centre : glm::dvec3(0, 0, 1e9);
+        return std::abs(ahead.z) < std::abs(behind.z) ? ahead : behind;
+    };
+    const glm::dvec3 normal = glm::cross(tangent(1, 0), tangent(0, 1));
+    const glm::dvec3 eye = p.to_eye(centre);
+    if (!(glm::length(normal) > 0))
+        return eye;
+    return glm::dot(normal, eye) < 0 ? -glm::normalize(normal) : glm::normalize(normal);
+}
+
+std::vector<std::vector<tap>> directions(const picture& p, const receiver& r, const settings& s, int count,
+                                         int steps) {
+    const glm::dvec2 random = noise(r.pixel_x, r.pixel_y, s.frame);
+    glm::dvec3 across, up;
+    axes(p, r, across, up);
+    std::vector<std::vector<tap>> all;
+    double offset = random.y;
+    for (int i = 0; i < count; ++i) {
+        const double angle = two_pi / count * (random.x + i + 1);
+        offset = std::fmod(offset + 0.61803399, 1.0);
+        const glm::dvec2 whole =
+            texel_offset(p, r, s.radius * (std::cos(angle) * across + std::sin(angle) * up));
+        std::vector<tap> along;
+        for (int j = 0; j < steps; ++j) {
+            const glm::dvec2 shift = whole * ((j + offset) / (steps + 1)) + glm::normalize(whole);
+            const tap t = texel_of(glm::dvec2(r.x + 0.5, r.y + 0.5) + shift);
+            if (p.contains(t.x, t.y))
+                along.push_back(t);
+        }
+        all.push_back(along);
+    }
+    return all;
+}
+
+const std::vector<glm::dvec2>& poisson_points() {
+    static const std::vector<glm::dvec2> points = [] {
+        std::vector<glm::dvec2> read;
+        const std::string text(crease::poisson_disk_glsl.text);
+        for (std::size_t at = text.find("vec2[64]("); (at = text.find("vec2(", at)) != std::string::npos;
+             ++at) {
+            char* end = nullptr;
+            const double x = std::strtod(text.c_str() + at + 5, &end);
+            const double y = std::strtod(end + 1, nullptr);
+            if (read.size() < 64)
+                read.emplace_back(x, y);
+        }
+        return read;
+    }();
+    return points;
+}
+
+std::vector<std::vector<tap>> poisson_disk(const picture& p, const receiver& r, const settings& s,
+                                           int count) {
+    const double angle = two_pi * noise(r.pixel_x, r.pixel_y, s.frame).x;
+    glm::dvec3 across, up;
+    axes(p, r, across, up);
+    std::vector<tap> taps;
+    for (int i = 0; i < count; ++i) {
+        const glm::dvec2 q = poisson_points()[static_cast<std::size_t>(i)];
+        const glm::dvec2 turned(std::cos(angle) * q.x - std::sin(angle) * q.y,
+                                std::sin(angle) * q.x + std::cos(angle) * q.y);
+        const tap t = texel_of(glm::dvec2(r.x + 0.5, r.y + 0.5) +
+                               texel_offset(p, r, s.radius * (turned.x * across + turned.y * up)));
+        if (p.contains(t.x, t.y) && !(t.x == r.x && t.y == r.y))
+            taps.push_back(t);
+    }
+    return {taps};
+}
+
+std::vector<std::vector<tap>> hemisphere_points(const picture& p, const receiver& r, const settings& s,
+                                                int count) {
+    const glm::dvec2 random = noise(r.pixel_x, r.pixel_y, s.frame);
+    const glm::dvec3 axis = std::abs(r.normal.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+    const glm::dvec3 tangent = glm::normalize(glm::cross(axis, r.normal)),
+                     bitangent = glm::cross(r.normal, tangent);
+    const double golden_angle = glm::pi<double>() * (3 - std::sqrt(5.0));
+    std::vector<tap> taps;
+    for (int i = 0; i < count; ++i) {
+        const double angle = two_pi * random.x + golden_angle * (i + 1);
+        const double distance = s.radius * std::fmod(random.y + 0.75487767 * (i + 1), 1.0);
+        const double sine = std::sqrt((i + 0.5) / count), cosine = std::sqrt(1 - sine * sine);
+        const glm::dvec3 point =
+            r.position + distance * (sine * std::cos(angle) * tangent + sine * std::sin(angle) * bitangent +
+                                     cosine * r.normal);
+        if (!(point.z < 0))
+            continue;
+        tap t = texel_of(p.project(point));
+        if (!p.contains(t.x, t.y))
+            continue;
+        const glm::dvec4 clip = p.projection * glm::dvec4(point, 1);
+        t.point = p.unproject({t.x + 0.5, t.y + 0.5}, clip.z / clip.w); // the same depth, on the texel's ray
+        taps.push_back(t);
+    }
+    return {taps};
+}
+
+double ssao(const picture& p, const receiver& r, const settings& s,
+            const std::vector<std::vector<tap>>& taps) {
+    double occluded = 0, points = 0;
+    for (const tap& t : taps[0]) {
+        if (!(glm::dot(t.point - r.position, r.normal) > s.bias * s.radius))
+            continue;
+        points += 1;
+        const double d = p.position(t.x, t.y).z; // view space, negative
+        if (d >= t.point.z) {
+            const double x = std::clamp(s.radius / std::abs(r.position.z - d), 0.0, 1.0);
+            occluded += x * x * (3 - 2 * x);
+        }
+    }
+    return points > 0 ? occluded / points : 0;
+}
+
+double hbao(const picture& p, const receiver& r, const settings& s,
+            const std::vector<std::vector<tap>>& taps) {
+    double occlusion = 0;
+    for (const std::vector<tap>& direction : taps) {
+        double horizon_rise = 0; // sin(h) - sin(t) of the highest so far
+        for (const tap& t : direction) {
+            const glm::dvec3 v = p.position(t.x, t.y) - r.position;
+            const double length = glm::length(v);
+            const glm::dvec3 sideways = v - glm::dot(v, r.to_eye) * r.to_eye;
+            // The tangent over `sideways`: sideways + rise * to_eye, at right angles to the normal.
+            const double rise = -glm::dot(sideways, r.normal) / std::max(glm::dot(r.normal, r.to_eye), 1e-3);
+            const double tangent = std::atan2(rise, glm::length(sideways));
+            const double phi = std::asin(std::clamp(glm::dot(v, r.to_eye) / length, -1.0, 1.0));
+            const double biased = std::min(tangent + s.bias, glm::half_pi<double>());
+            const double horizon = std::max(horizon_rise, std::sin(biased) - std::sin(tangent));
+            const double above = std::sin(phi) - std::sin(tangent);
+            if (above > horizon && length < s.radius && glm::dot(v, r.normal) / length > s.threshold) {
+                occlusion += falloff(length, s.radius) * (above - horizon);
+                horizon_rise = above;
+            }
+        }
+    }
+    return occlusion / static_cast<double>(taps.size());
+}
+
+double hbao_plus(const picture& p, const receiver& r, const settings& s,
+                 const std::vector<std::vector<tap>>& taps) {
+    double occlusion = 0, count = 0;
+    for (const std::vector<tap>& direction : taps)
+        for (const tap& t : direction) {
+            const glm::dvec3 v = p.position(t.x, t.y) - r.position;
+            const double length = glm::length(v);
+            if (length < s.radius)
+                occlusion +=
+                    falloff(length, s.radius) * std::max(glm::dot(v, r.normal) / length - s.bias, 0.0);
+            count += 1;
+        }
+    return count > 0 ? occlusion / count : 0;
+}
+
+}

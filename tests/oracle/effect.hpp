@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The techniques as the papers state them, in double precision and apart from the shaders.
+#pragma once
+
+#include "picture.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace oracle {
+
+/// The settings of an effect, as crease::parameters names them.
+struct settings {
+    double radius = 1, bias = 0, threshold = 0, strength = 1, exponent = 1, sharpness = 8;
+    std::uint32_t frame = 0;
+};
+
+/// Two numbers in [0, 1) of a pixel and a frame.
+glm::dvec2 noise(int x, int y, std::uint32_t frame);
+
+/// A texel that a sampler proposes; for point samplers also the point, on the ray of the texel.
+struct tap {
+    int x, y;
+    glm::dvec3 point;
+};
+
+/// The receiver of a pixel.
+struct receiver {
+    int x, y;             ///< of the picture
+    int pixel_x, pixel_y; ///< of the output, which may be smaller
+    glm::dvec3 position, normal, to_eye;
+};
+
+/// Normal from the depth of the neighbours: of left and right, and of up and down, the nearer in depth.
+glm::dvec3 reconstruct_normal(const picture& p, int x, int y);
+
+/// The taps of a receiver, direction by direction; those off the picture are left out.
+std::vector<std::vector<tap>> directions(const picture& p, const receiver& r, const settings& s, int count,
+                                         int steps);
+std::vector<std::vector<tap>> poisson_disk(const picture& p, const receiver& r, const settings& s, int count);
+std::vector<std::vector<tap>> hemisphere_points(const picture& p, const receiver& r, const settings& s,
+                                                int count);
+
+/// Occlusion in [0, 1] of a receiver from its taps.
+double ssao(const picture& p, const receiver& r, const settings& s,
+            const std::vector<std::vector<tap>>& taps);
+double hbao(const picture& p, const receiver& r, const settings& s,
+            const std::vector<std::vector<tap>>& taps);
+double hbao_plus(const picture& p, const receiver& r, const settings& s,
+                 const std::vector<std::vector<tap>>& taps);
+
+/// The points of the Poisson disk, read out of the shader's own table: the oracle checks what is made of
+/// them.
+const std::vector<glm::dvec2>& poisson_points();
+
+/// A picture of visibilities, with the linear depth that filters read.
+struct visibility_image {
+    int width = 0, height = 0;
+    std::vector<double> visibility, depth;
+};
+
+/// One separable cross-bilateral blur: rows, then columns.
+visibility_image bilateral(const visibility_image& image, const settings& s, int radius);
+
+/// From a picture that is smaller by `factor` to the size of `p`.
+visibility_image upsample(const visibility_image& image, const picture& p, const settings& s, int factor);
+
+}

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "commands.hpp"
+
+#include "frame/frame.hpp"
+#include "measure/compare.hpp"
+#include "measure/work.hpp"
+#include "progress.hpp"
+#include "truth/truth.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace crease::tools {
+
+namespace {
+
+struct bench_options {
+    std::vector<std::string> scenes;
+    std::vector<std::string> recipes{"hemisphere_points:16/single_layer/ssao/bilateral",
+                                     "hemisphere_points:64/single_layer/ssao/bilateral",
+                                     "directions:4x4/single_layer/hbao/bilateral",
+                                     "directions:8x4/single_layer/hbao/bilateral",
+                                     "directions:8x4/single_layer/hbao_plus/bilateral",
+                                     "poisson_disk:16/single_layer/hbao_plus/bilateral",
+                                     "directions:8x4/single_layer/hbao/bilateral/upsample:2",
+                                     "directions:8x4/single_layer/hbao/bilateral/upsample:4"};
+    std::vector<std::string> settings;
+    std::string device;
+    std::filesystem::path truths;
+    unsigned width = 1280, height = 720, rays = 256, repeats = 15;
+    bool as_json = false;
+};
+
+/// A view of a scene with its inputs and its truth.
+struct subject {
+    std::string name;
+    camera from;
+    gbuffer inputs;
+    image hard, linear, quad;
+};
+
+/// The truth of a view, traced once where a directory keeps it.
+void add_truth(subject& view, const mesh& scene, const bench_options& options) {
+    const std::filesystem::path kept = options.truths / view.name / view.from.name;
+    if (!options.truths.empty() && std::filesystem::exists(kept / "ao_quad.pfm")) {
+        view.hard = read_pfm(kept / "ao_hard.pfm");
+        view.linear = read_pfm(kept / "ao_linear.pfm");
+        view.quad = read_pfm(kept / "ao_quad.pfm");
+        return;
+    }
+    progress bar(fmt::format("tracing {} {}", view.name, view.from.name));
+    truth traced = trace_truth(scene, view.from,
+                               {.width = options.width,
+                                .height = options.height,
+                                .radius = view.from.ao_radius,
+                                .rays = options.rays,
+                                .progress = [&bar](double done) {
+                                    bar(done);
+                                    return true;
+                                }});
+    if (!options.truths.empty()) {
+        std::filesystem::create_directories(kept);
+        write_pfm(kept / "ao_hard.pfm", traced.ao_hard);
+        write_pfm(kept / "ao_linear.pfm", traced.ao_linear);
+        write_pfm(kept / "ao_quad.pfm", traced.ao_quad);
+    }
+    view.hard = std::move(traced.ao_hard);
+    view.linear = std::move(traced.ao_linear);
+    view.quad = std::move(traced.ao_quad);
+}
+
+/// All views of a scene file, whose cameras are in <stem>.cameras.json beside it; or of the built-in scene.
+std::vector<subject> load_subjects(vulkan::device& device, const std::string& path,
+                                   const bench_options& options) {
+    const bool built_in = path == "built-in";
+    const mesh scene = built_in ? built_in_scene() : load_mesh(path);
+    const std::filesystem::path cameras = std::filesystem::path(path).replace_extension(".cameras.json");
+    std::vector<subject> views;
+    for (camera from : built_in ? built_in_cameras() : load_cameras(cameras)) {
+        from.width = options.width;
+        from.height = options.height;
+        subject view{
+            std::filesystem::path(path).stem().string(), from, rasterise(device, scene, from), {}, {}, {}};
+        add_truth(view, scene, options);
+        views.push_back(std::move(view));
+    }
+    return views;
+}
+
+struct score {
+    double milliseconds = 0, main_milliseconds = 0, rmse_hard = 0, rmse_linear = 0, rmse_quad = 0, ssim = 0,
+           bias = 0;
+};
+
+nlohmann::ordered_json measure(vulkan::device& device, const std::string& text,
+                               const std::vector<subject>& views, const bench_options& options) {
+    const recipe chosen{std::string_view(text)};
+    if (!chosen)
+        throw std::runtime_error(std::string(chosen.error()));
+    std::map<std::string, float> settings;
+    for (const std::string& one : options.settings)
+        settings[one.substr(0, one.find('='))] = std::stof(one.substr(one.find('=') + 1));
+    nlohmann::ordered_json passes = nlohmann::ordered_json::array(), each = nlohmann::ordered_json::array();
+    const auto composed = std::make_unique<composition>(chosen);
+    for (const pass& p : composed->view().passes) {
+        const shader_work work = count_work(spirv::compile(p));
+        passes.push_back({{"name", p.name}, {"fetches", work.fetches}, {"instructions", work.instructions}});
+    }
+    score mean;
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        const subject& view = views[v];
+        const frame made = run_effect(
+            device, chosen, view.inputs,
+            {.radius = view.from.ao_radius, .settings = settings, .repeats = v == 0 ? options.repeats : 1});
+        if (v == 0) // times are those of the first view
+            for (std::size_t i = 0; i < made.passes.size(); ++i) {
+                passes[i]["milliseconds"] = made.passes[i].milliseconds;
+                mean.milliseconds += made.passes[i].milliseconds;
+            }
+        const comparison_settings mask{.depth = &view.inputs.depth, .far = view.from.far};
+        const comparison linear = compare(made.visibility, view.linear, mask);
+        const double share = 1.0 / static_cast<double>(views.size());
+        const double hard = compare(made.visibility, view.hard, mask).rmse;
+        const double quad = compare(made.visibility, view.quad, mask).rmse;
+        mean.rmse_hard += share * hard;
+        mean.rmse_quad += share * quad;
+        mean.rmse_linear += share * linear.rmse;
+        mean.ssim += share * linear.ssim;
+        mean.bias += share * linear.bias;
+        each.push_back({{"scene", view.name},
+                        {"camera", view.from.name},
+                        {"rmse_hard", hard},
+                        {"rmse_linear", linear.rmse},
+                        {"rmse_quad", quad},
+                        {"ssim", linear.ssim},
+                        {"bias", linear.bias}});
+    }
+    return {{"recipe", text},
+            {"milliseconds", mean.milliseconds},
+            {"rmse_hard", mean.rmse_hard},
+            {"rmse_linear", mean.rmse_linear},
+            {"rmse_quad", mean.rmse_quad},
+            {"ssim", mean.ssim},
+            {"bias", mean.bias},
+            {"passes", passes},
+            {"views", each}};
+}
+
+void print(const nlohmann::ordered_json& row) {
+    fmt::print(
+        "{:<58} {:7.2f} ms   RMSE hard {:.4f} linear {:.4f} quad {:.4f}   SSIM {:.4f}   bias {:+.4f}\n",
+        row["recipe"].get<std::string>(), row["milliseconds"].get<double>(), row["rmse_hard"].get<double>(),
+        row["rmse_linear"].get<double>(), row["rmse_quad"].get<double>(), row["ssim"].get<double>(),
+        row["bias"].get<double>());
+    for (const auto& p : row["passes"])
+        fmt::print("    {:<54} {:7.2f} ms   {} fetches, {} instructions a pixel\n",
+                   p["name"].get<std::string>(), p["milliseconds"].get<double>(),
+                   p["fetches"].get<unsigned>(), p["instructions"].get<unsigned>());
+}
+
+void run(const bench_options& options) {
+    vulkan::device device({.name = options.device});
+    std::vector<subject> views;
+    for (const std::string& scene :
+         options.scenes.empty() ? std::vector<std::string>{"built-in"} : options.scenes)
+        for (subject& view : load_subjects(device, scene, options))
+            views.push_back(std::move(view));
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    if (!options.as_json)
+        fmt::print("{}, {} x {}, times on {} {}, errors the mean of {} views\n", device.name(), options.width,
+                   options.height, views[0].name, views[0].from.name, views.size());
+    for (const std::string& text : options.recipes) {
+        rows.push_back(measure(device, text, views, options));
+        if (!options.as_json)
+            print(rows.back());
+    }
+    if (options.as_json)
+        fmt::print("{}\n", nlohmann::ordered_json{{"device", std::string(device.name())},
+                                                  {"width", options.width},
+                                                  {"height", options.height},
+                                                  {"recipes", rows}}
+                               .dump(2));
+}
+
+}
+
+void add_bench(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("bench", "cost and error of recipes on scenes");
+    const auto options = std::make_shared<bench_options>();
+    command->add_option("scenes", options->scenes,
+                        "scene files with <stem>.cameras.json beside them, or built-in; else built-in");
+    command->add_option("--recipes", options->recipes, "to measure; else a handful");
+    command->add_option("--set", options->settings, "name=value of a setting, for all recipes");
+    command->add_option("--device", options->device, "part of the name of a Vulkan device");
+    command->add_option("--truths", options->truths,
+                        "directory that keeps the ray-traced truths between runs");
+    command->add_option("--width", options->width, "texels")
+        ->check(CLI::Range(1u, 16384u))
+        ->capture_default_str();
+    command->add_option("--height", options->height, "texels")
+        ->check(CLI::Range(1u, 16384u))
+        ->capture_default_str();
+    command->add_option("--rays", options->rays, "of the truth")
+        ->check(CLI::Range(1u, 65536u))
+        ->capture_default_str();
+    command->add_option("--repeats", options->repeats, "timed runs, of which the median counts")
+        ->check(CLI::Range(1u, 1000u))
+        ->capture_default_str();
+    command->add_flag("--json", options->as_json, "for programs");
+    command->callback([options] { run(*options); });
+}
+
+}

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "commands.hpp"
+
+#include "emit/emit.hpp"
+#include "emit/file.hpp"
+#include "frame/frame.hpp"
+#include "frame/sheet.hpp"
+#include "measure/compare.hpp"
+#include "progress.hpp"
+#include "truth/truth.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace crease::tools {
+
+namespace {
+
+struct shown_recipe {
+    const char* directory;
+    const char* recipe;
+};
+
+constexpr shown_recipe shown_recipes[] = {
+    {"ssao", "hemisphere_points:16/single_layer/ssao/bilateral"},
+    {"hbao", "directions:8x4/single_layer/hbao/bilateral"},
+    {"hbao_plus", "directions:8x4/single_layer/hbao_plus/bilateral"},
+    {"hbao_plus_disk", "poisson_disk:16/single_layer/hbao_plus/bilateral"},
+    {"hbao_half", "directions:8x4/single_layer/hbao/bilateral/upsample:2"},
+};
+
+struct demo_options {
+    std::filesystem::path directory;
+    std::string device;
+    unsigned width = 640, height = 360, rays = 256;
+};
+
+void emit_both(const std::filesystem::path& directory, const char* recipe_text) {
+    for (emit_format format : {emit_format::glsl, emit_format::spirv})
+        emit({.recipe = recipe_text, .format = format, .directory = directory});
+}
+
+double total(const frame& made) {
+    double milliseconds = 0;
+    for (const vulkan::timing& t : made.passes)
+        milliseconds += t.milliseconds;
+    return milliseconds;
+}
+
+void run(const demo_options& options) {
+    const mesh scene = built_in_scene();
+    camera from = built_in_cameras().front();
+    from.width = options.width;
+    from.height = options.height;
+    make_directory(options.directory);
+    vulkan::device device({.name = options.device});
+    fmt::print("device: {}\n", device.name());
+
+    progress bar("tracing the truth");
+    const truth traced = trace_truth(scene, from,
+                                     {.width = from.width,
+                                      .height = from.height,
+                                      .radius = from.ao_radius,
+                                      .rays = options.rays,
+                                      .progress = [&bar](double done) {
+                                          bar(done);
+                                          return true;
+                                      }});
+    write_png(options.directory / "truth.png", traced.ao_linear);
+    std::vector<sheet_cell> cells{
+        {traced.ao_linear, {"ray-traced truth", fmt::format("{} rays, linear", options.rays)}}};
+
+    const gbuffer inputs = rasterise(device, scene, from);
+    std::vector<frame> frames;
+    frames.reserve(std::size(shown_recipes)); // cells refer to them
+    nlohmann::ordered_json figures = nlohmann::ordered_json::array();
+    for (const auto& [name, text] : shown_recipes) {
+        const std::filesystem::path directory = options.directory / name;
+        emit_both(directory, text);
+        frames.push_back(run_effect(device, recipe(std::string_view(text)), inputs,
+                                    {.radius = from.ao_radius, .settings = {}, .repeats = 5}));
+        const frame& made = frames.back();
+        write_png(directory / "ao.png", made.visibility);
+        const comparison error =
+            compare(made.visibility, traced.ao_linear, {.depth = &inputs.depth, .far = from.far});
+        cells.push_back({made.visibility,
+                         {text, fmt::format("{:.1f} ms   RMSE {:.3f}   SSIM {:.3f}", total(made), error.rmse,
+                                            error.ssim)}});
+        figures.push_back({{"recipe", text},
+                           {"milliseconds", total(made)},
+                           {"rmse", error.rmse},
+                           {"ssim", error.ssim},
+                           {"bias", error.bias}});
+        fmt::print("{:<60} {:6.1f} ms   RMSE {:.3f}   SSIM {:.3f}\n", text, total(made), error.rmse,
+                   error.ssim);
+    }
+    write_sheet(options.directory / "sheet.png", cells, 2);
+    write_file(options.directory / "figures.json", figures.dump(2) + "\n");
+    fmt::print("pictures, GLSL and SPIR-V are in {}; begin with sheet.png\n", options.directory.string());
+}
+
+}
+
+void add_demo(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("demo", "a built-in scene with a handful of recipes, beside the truth");
+    const auto options = std::make_shared<demo_options>();
+    command->add_option("-o,--output", options->directory, "directory for the files")->required();
+    command->add_option("--device", options->device, "part of the name of a Vulkan device");
+    command->add_option("--width", options->width, "texels")
+        ->check(CLI::Range(1u, 4096u))
+        ->capture_default_str();
+    command->add_option("--height", options->height, "texels")
+        ->check(CLI::Range(1u, 4096u))
+        ->capture_default_str();
+    command->add_option("--rays", options->rays, "of the truth, for each texel")
+        ->check(CLI::Range(1u, 65536u))
+        ->capture_default_str();
+    command->callback([options] { run(*options); });
+}
+
+}

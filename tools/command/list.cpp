@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "commands.hpp"
+
+#include <crease/parts.hpp>
+#include <crease/recipe.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace crease::tools {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+/// Whether two of the three main parts go together with some third.
+bool fit(const part& sampler, const part& depth_source, const part& estimator) {
+    const auto chosen = [](const part& p) {
+        choice c{&p, {}};
+        for (std::size_t i = 0; i < p.numbers.size(); ++i)
+            c.numbers[i] = p.numbers[i].fallback;
+        return c;
+    };
+    const choice choices[] = {chosen(sampler), chosen(depth_source), chosen(estimator)};
+    return !check(choices);
+}
+
+/// The recipes of three parts that make an effect.
+std::vector<std::string> legal_triples() {
+    std::vector<std::string> recipes;
+    for (const part* s : all_parts)
+        for (const part* d : all_parts)
+            for (const part* e : all_parts)
+                if (s->kind == role::sampler && d->kind == role::depth_source && e->kind == role::estimator &&
+                    fit(*s, *d, *e))
+                    recipes.push_back(fmt::format("{}/{}/{}", s->name, d->name, e->name));
+    return recipes;
+}
+
+device_features required_by(const std::string& text) {
+    const recipe chosen{std::string_view(text)};
+    return std::make_unique<composition>(chosen)->view().features;
+}
+
+json describe(const part& p) {
+    json numbers = json::array(), settings = json::array();
+    for (const number& n : p.numbers)
+        numbers.push_back({{"name", n.name},
+                           {"least", n.least},
+                           {"most", n.most},
+                           {"default", n.fallback},
+                           {"meaning", n.meaning}});
+    for (const setting& s : p.settings)
+        settings.push_back({{"name", s.name},
+                            {"least", s.least},
+                            {"most", s.most},
+                            {"default", s.fallback},
+                            {"meaning", s.meaning}});
+    return {{"name", p.name},     {"role", name_of(p.kind)}, {"summary", p.summary},
+            {"source", p.source}, {"numbers", numbers},      {"settings", settings}};
+}
+
+void print_json() {
+    json parts = json::array(), recipes = json::array();
+    for (const part* p : all_parts)
+        parts.push_back(describe(*p));
+    for (const std::string& text : legal_triples())
+        recipes.push_back(
+            {{"recipe", text},
+             {"features", {{"extended_storage_formats", required_by(text).extended_storage_formats}}}});
+    fmt::print("{}\n", json{{"parts", parts}, {"recipes", recipes}}.dump(2));
+}
+
+void print_text() {
+    std::string_view heading;
+    for (const part* p : all_parts) {
+        if (heading != name_of(p->kind))
+            fmt::print("\n{}\n", heading = name_of(p->kind));
+        fmt::print("  {:<22} {}\n", p->name, p->summary);
+        if (!p->source.empty())
+            fmt::print("  {:<22}   from {}\n", "", p->source);
+        for (const number& n : p->numbers)
+            fmt::print("  {:<22}   :{} {} to {}, else {}: {}\n", "", n.name, n.least, n.most, n.fallback,
+                       n.meaning);
+        for (const setting& s : p->settings)
+            fmt::print("  {:<22}   --set {}={} ({} to {}): {}\n", "", s.name, s.fallback, s.least, s.most,
+                       s.meaning);
+    }
+    fmt::print("\nwhat fits with what: SAMPLER/DEPTH/ESTIMATOR, then /FILTER... and what differs from the "
+               "defaults\n");
+    for (const std::string& text : legal_triples())
+        fmt::print("  {}{}\n", text,
+                   required_by(text).extended_storage_formats
+                       ? "   (compute: shaderStorageImageExtendedFormats)"
+                       : "");
+}
+
+}
+
+void add_list(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("list", "the parts, what fits with what, numbers, settings and papers");
+    static bool as_json = false;
+    command->add_flag("--json", as_json, "for programs");
+    command->callback([] { as_json ? print_json() : print_text(); });
+}
+
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "frame/frame.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace crease::tools {
+
+namespace {
+
+const setting* find_setting(const choice_list& parts, const std::string& name) {
+    for (const choice& c : parts)
+        for (const setting& s : c.what->settings)
+            if (s.name == name)
+                return &s;
+    return nullptr;
+}
+
+std::string names_of(const choice_list& parts) {
+    std::string names;
+    for (const choice& c : parts)
+        for (const setting& s : c.what->settings)
+            names += fmt::format("{}{}", names.empty() ? "" : ", ", s.name);
+    return names;
+}
+
+}
+
+parameters settle(const recipe& chosen, const frame_options& options) {
+    if (!(options.radius >= 0) || std::isinf(options.radius))
+        throw std::runtime_error(
+            fmt::format("the radius is {}; it must be finite and not negative", options.radius));
+    const choice_list parts = complete(chosen.choices());
+    parameters settled = default_parameters({parts.data(), parts.size()});
+    settled.radius = options.radius;
+    for (const auto& [name, value] : options.settings) {
+        const setting* found = find_setting(parts, name);
+        if (!found)
+            throw std::runtime_error(fmt::format("no part of this recipe has the setting '{}'; there are {}",
+                                                 name, names_of(parts)));
+        if (!(value >= found->least && value <= found->most))
+            throw std::runtime_error(
+                fmt::format("{}={} is out of its range, {} to {}", name, value, found->least, found->most));
+        settled.*found->field = value;
+    }
+    return settled;
+}
+
+}

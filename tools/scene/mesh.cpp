@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "scene/scene.hpp"
+
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace crease::tools {
+namespace {
+
+/// More would not fit a GPU's buffers, and a small hostile file may repeat one mesh without end.
+constexpr std::size_t most_vertices = std::size_t{1} << 28;
+
+constexpr unsigned import_steps = aiProcess_Triangulate | aiProcess_RemoveComponent;
+
+constexpr int unused_components = aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
+                                  aiComponent_COLORS | aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS |
+                                  aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
+                                  aiComponent_CAMERAS;
+
+void check_extension(std::string_view extension, std::string_view name) {
+    if (extension != "glb" && extension != "gltf" && extension != "obj")
+        throw scene_error(
+            fmt::format("{}: cannot read '.{}' scenes; use .glb, .gltf or .obj", name, extension));
+}
+
+bool is_finite(const glm::vec3& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+/// Collects the meshes of an imported scene into one.
+class collector {
+public:
+    explicit collector(std::string_view name) : name_(name) {}
+
+    void add(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent) {
+        const aiMatrix4x4 world = parent * node.mTransformation;
+        for (unsigned i = 0; i < node.mNumMeshes; ++i)
+            add(*scene.mMeshes[node.mMeshes[i]], world);
+        for (unsigned i = 0; i < node.mNumChildren; ++i)
+            add(scene, *node.mChildren[i], world);
+    }
+
+    mesh take() { return std::move(result_); }
+
+private:
+    void add(const aiMesh& part, const aiMatrix4x4& world) {
+        const std::size_t first = result_.positions.size();
+        if (first + part.mNumVertices > most_vertices)
+            throw scene_error(
+                fmt::format("{}: has more than {} vertices; simplify it", name_, most_vertices));
+        for (unsigned i = 0; i < part.mNumVertices; ++i) {
+            const aiVector3D p = world * part.mVertices[i];
+            result_.positions.emplace_back(p.x, p.y, p.z);
+        }
+        for (unsigned i = 0; i < part.mNumFaces; ++i)
+            if (part.mFaces[i].mNumIndices == 3)
+                add(part.mFaces[i], part.mNumVertices, first);
+    }
+
+    void add(const aiFace& face, unsigned vertices, std::size_t first) {
+        std::array<std::uint32_t, 3> triangle;
+        for (unsigned i = 0; i < 3; ++i) {
+            if (face.mIndices[i] >= vertices)
+                throw scene_error(
+                    fmt::format("{}: a triangle uses vertex {} of a mesh that has {}; export it again", name_,
+                                face.mIndices[i], vertices));
+            triangle[i] = static_cast<std::uint32_t>(first + face.mIndices[i]);
+        }
+        const glm::dvec3 a(result_.positions[triangle[0]]), b(result_.positions[triangle[1]]),
+            c(result_.positions[triangle[2]]);
+        if (glm::cross(b - a, c - a) != glm::dvec3(0)) // true for NaN, which check_mesh reports
+            result_.indices.insert(result_.indices.end(), triangle.begin(), triangle.end());
+    }
+
+    std::string name_;
+    mesh result_;
+};
+
+mesh collect(Assimp::Importer& importer, const aiScene* scene, std::string_view name) {
+    if (!scene || !scene->mRootNode)
+        throw scene_error(
+            fmt::format("{}: broken or unsupported scene: {}", name, importer.GetErrorString()));
+    collector all(name);
+    all.add(*scene, *scene->mRootNode, aiMatrix4x4());
+    mesh result = all.take();
+    check_mesh(result, name);
+    return result;
+}
+
+}
+
+void check_mesh(const mesh& scene, std::string_view name) {
+    if (scene.indices.size() < 3)
+        throw scene_error(fmt::format("{}: has no triangles", name));
+    if (scene.indices.size() % 3 != 0)
+        throw scene_error(
+            fmt::format("{}: has {} indices, which is not a multiple of 3", name, scene.indices.size()));
+    const auto broken = std::find_if_not(scene.positions.begin(), scene.positions.end(), is_finite);
+    if (broken != scene.positions.end())
+        throw scene_error(fmt::format("{}: the position of vertex {} is not finite; export it again", name,
+                                      broken - scene.positions.begin()));
+    const std::uint32_t last = *std::max_element(scene.indices.begin(), scene.indices.end());
+    if (last >= scene.positions.size())
+        throw scene_error(fmt::format("{}: a triangle uses vertex {} of a mesh that has {}; export it again",
+                                      name, last, scene.positions.size()));
+}
+
+mesh load_mesh(const std::filesystem::path& path) {
+    const std::string extension = path.extension().string();
+    check_extension(extension.empty() ? extension : extension.substr(1), path.string());
+    if (!std::filesystem::is_regular_file(path))
+        throw scene_error(fmt::format("{}: no such file", path.string()));
+    Assimp::Importer importer;
+    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, unused_components);
+    return collect(importer, importer.ReadFile(path.string(), import_steps), path.string());
+}
+
+mesh parse_mesh(std::string_view bytes, std::string_view extension, std::string_view name) {
+    check_extension(extension, name);
+    Assimp::Importer importer;
+    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, unused_components);
+    const std::string hint(extension);
+    return collect(importer,
+                   importer.ReadFileFromMemory(bytes.data(), bytes.size(), import_steps, hint.c_str()), name);
+}
+
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace crease::tools {
+
+/// A scene or camera list that cannot be used; the message names the file, what is wrong and what would do.
+struct scene_error : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Triangles in world space: every one opaque and two-sided.
+struct mesh {
+    std::vector<glm::vec3> positions;   ///< world space, finite
+    std::vector<std::uint32_t> indices; ///< three a triangle
+
+    std::size_t triangles() const { return indices.size() / 3; }
+};
+
+/// @throws scene_error where `scene` has no triangle, a position that is not finite, or an index out of
+/// range;
+///         `name` is what the message calls it
+void check_mesh(const mesh& scene, std::string_view name);
+
+/// Reads .glb, .gltf (2.0) or .obj: all meshes of the scene, node transforms applied, polygons triangulated;
+/// points, lines, triangles without area, materials and animations are left out.
+/// @throws scene_error
+mesh load_mesh(const std::filesystem::path& path);
+
+/// As `load_mesh`, from memory and of one self-contained file.
+/// @param extension "glb", "gltf" or "obj"
+/// @param name      what an error calls it
+/// @throws scene_error
+mesh parse_mesh(std::string_view bytes, std::string_view extension, std::string_view name);
+
+/// A perspective camera. World units; right-handed; view space looks down -Z with +Y up.
+struct camera {
+    std::string name;
+    glm::vec3 eye{0}, target{0, 0, -1}, up{0, 1, 0};
+    float vfov_deg = 60;                 ///< vertical field of view, in (0, 180)
+    float near = 0.1f;                   ///< > 0
+    float far = 100;                     ///< > near
+    unsigned width = 1280, height = 720; ///< texels, 1 to 16384
+    float ao_radius = 1;                 ///< a sensible world-space radius for what it sees, >= 0
+};
+
+/// Reads a JSON list of cameras: objects with exactly the names of `camera`'s members.
+/// @throws scene_error that names the camera and the field; file_error
+std::vector<camera> load_cameras(const std::filesystem::path& path);
+
+/// As `load_cameras`, from text; `name` is what an error calls it.
+/// @throws scene_error
+std::vector<camera> parse_cameras(std::string_view json, std::string_view name);
+
+/// @throws scene_error that lists the names there are
+const camera& find_camera(std::span<const camera> cameras, std::string_view name);
+
+/// World space to view space.
+glm::mat4 view_matrix(const camera& from);
+
+/// A courtyard that shows what ambient occlusion meets: an inner corner, stairs, an arcade, thin bars before
+/// a wall, curved and slanted surfaces, open sky, and a pillar that hides occluders from the first camera.
+/// Metres, +Y up.
+mesh built_in_scene();
+
+/// The first is "overview".
+std::vector<camera> built_in_cameras();
+
+}

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "truth/truth.hpp"
+
+#include "truth/ray_scene.hpp"
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numbers>
+#include <thread>
+
+namespace crease::tools {
+namespace {
+
+void check(const truth_settings& settings) {
+    if (settings.width == 0 || settings.height == 0 || settings.width > longest_side ||
+        settings.height > longest_side)
+        throw truth_error(fmt::format("the truth of {} x {} texels; both must be 1 to {}", settings.width,
+                                      settings.height, longest_side));
+    if (!(settings.radius >= 0) || std::isinf(settings.radius))
+        throw truth_error(
+            fmt::format("the truth for radius {}; it must be finite and not negative", settings.radius));
+    if (settings.rays == 0)
+        throw truth_error("the truth with 0 rays; use at least 1");
+}
+
+/// A good mixture of the bits (Wellons' lowbias32).
+std::uint32_t mix(std::uint32_t x) {
+    x = (x ^ (x >> 16)) * 0x7feb352du;
+    x = (x ^ (x >> 15)) * 0x846ca68bu;
+    return x ^ (x >> 16);
+}
+
+/// The points of a rank-1 lattice in the unit square, moved by a random offset of each texel: even as a grid,
+/// yet free of a pattern that neighbours share. Whole numbers wrap around as the square's edges do.
+class lattice {
+public:
+    lattice(unsigned points, std::uint32_t x, std::uint32_t y, std::uint32_t seed)
+        : step_(0x1p32 / points), start_x_(mix(x ^ mix(y ^ mix(seed)))), start_y_(mix(start_x_)) {}
+
+    glm::dvec2 operator()(unsigned i) const {
+        constexpr std::uint32_t golden = 0x9e3779b9; // 2^32 / golden ratio
+        const auto even = static_cast<std::uint32_t>(static_cast<std::uint64_t>(i * step_));
+        return glm::dvec2(start_x_ + even, start_y_ + golden * i) * 0x1p-32;
+    }
+
+private:
+    double step_;
+    std::uint32_t start_x_, start_y_;
+};
+
+/// Columns: tangent, bitangent, normal.
+glm::mat3 frame_around(const glm::vec3& normal) {
+    const glm::vec3 away = std::abs(normal.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+    const glm::vec3 tangent = glm::normalize(glm::cross(away, normal));
+    return {tangent, glm::cross(normal, tangent), normal};
+}
+
+/// Density cos(theta) / pi around +Z.
+glm::vec3 cosine_direction(const glm::dvec2& point) {
+    const double radius = std::sqrt(point.x), angle = 2 * std::numbers::pi * point.y;
+    return {radius * std::cos(angle), radius * std::sin(angle), std::sqrt(1 - point.x)};
+}
+
+/// Traces single texels into the images of a truth; texels may be traced at the same time.
+class texel_tracer {
+public:
+    texel_tracer(const mesh& scene, const camera& from, const truth_settings& settings, truth& result)
+        : scene_(scene), camera_(from), settings_(settings), result_(result), view_(view_matrix(from)),
+          half_height_(std::tan(glm::radians(double{from.vfov_deg}) / 2)),
+          half_width_(half_height_ * settings.width / settings.height) {}
+
+    void trace(unsigned x, unsigned y) const {
+        const glm::dvec3 through(half_width_ * (2 * (x + 0.5) / settings_.width - 1),
+                                 half_height_ * (1 - 2 * (y + 0.5) / settings_.height), -1);
+        // Left at length 1 along the view, so that the ray's parameter is the view depth.
+        const glm::vec3 direction(glm::transpose(glm::dmat3(view_)) * through);
+        const auto hit = scene_.first_hit(camera_.eye, direction, camera_.near, camera_.far);
+        if (!hit)
+            return;
+        result_.depth.at(x, y) = -(view_ * glm::vec4(hit->position, 1)).z;
+        const glm::vec3 normal = glm::normalize(glm::mat3(view_) * hit->normal);
+        for (unsigned c = 0; c < 3; ++c)
+            result_.normal.at(x, y, c) = normal[static_cast<int>(c)];
+        if (settings_.radius > 0)
+            gather(x, y, *hit);
+    }
+
+private:
+    void gather(unsigned x, unsigned y, const ray_scene::surface& at) const {
+        const lattice points(settings_.rays, x, y, settings_.seed);
+        const glm::mat3 frame = frame_around(at.normal);
+        const glm::vec3 origin = at.position + at.offset * at.normal;
+        double hard = 0, linear = 0, quad = 0;
+        for (unsigned i = 0; i < settings_.rays; ++i) {
+            const double d = scene_.distance(origin, frame * cosine_direction(points(i)), settings_.radius) /
+                             double{settings_.radius};
+            if (d > 1)
+                continue;
+            hard += 1;
+            linear += 1 - d;
+            quad += 1 - d * d;
+        }
+        result_.ao_hard.at(x, y) = static_cast<float>(1 - hard / settings_.rays);
+        result_.ao_linear.at(x, y) = static_cast<float>(1 - linear / settings_.rays);
+        result_.ao_quad.at(x, y) = static_cast<float>(1 - quad / settings_.rays);
+    }
+
+    ray_scene scene_;
+    const camera& camera_;
+    const truth_settings& settings_;
+    truth& result_;
+    glm::mat4 view_;
+    double half_height_, half_width_; ///< of the picture, at depth 1
+};
+
+/// Does every row once, on all threads; only the calling thread, which works too, reports.
+/// @return false where the report asked to stop
+template <typename Row>
+bool for_each_row(const truth_settings& settings, Row row) {
+    std::atomic<unsigned> next = 0, done = 0;
+    std::atomic<bool> stop = false;
+    const auto work = [&](auto report) {
+        for (unsigned y; !stop && (y = next++) < settings.height;) {
+            row(y);
+            ++done;
+            report();
+        }
+    };
+    const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+    const unsigned threads = std::min(settings.threads ? settings.threads : cores, settings.height);
+    std::vector<std::jthread> others;
+    struct stop_others {
+        std::atomic<bool>& flag;
+        ~stop_others() { flag = true; }
+    } const stop_on_exception{stop};
+    for (unsigned i = 1; i < threads; ++i)
+        others.emplace_back(work, [] {});
+    const auto report = [&] {
+        if (settings.progress && !settings.progress(static_cast<double>(done) / settings.height))
+            stop = true;
+    };
+    work(report);
+    others.clear(); // joins
+    if (!stop)
+        report();
+    return !stop;
+}
+
+}
+
+truth trace_truth(const mesh& scene, const camera& from, const truth_settings& settings) {
+    check(settings);
+    check_mesh(scene, "the scene to trace");
+    truth result;
+    result.ao_hard = result.ao_linear = result.ao_quad = image(settings.width, settings.height, 1, 1);
+    result.depth = image(settings.width, settings.height, 1, from.far);
+    result.normal = image(settings.width, settings.height, 3);
+    const texel_tracer tracer(scene, from, settings, result);
+    const bool whole = for_each_row(settings, [&](unsigned y) {
+        for (unsigned x = 0; x < settings.width; ++x)
+            tracer.trace(x, y);
+    });
+    if (!whole)
+        throw truth_cancelled("the truth was cancelled");
+    return result;
+}
+
+}

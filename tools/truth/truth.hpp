@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "image/image.hpp"
+#include "scene/scene.hpp"
+
+#include <cstdint>
+#include <functional>
+
+namespace crease::tools {
+
+/// Settings that no truth can be traced with.
+struct truth_error : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Thrown where the progress callback asked to stop.
+struct truth_cancelled : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct truth_settings {
+    unsigned width = 1280, height = 720; ///< texels, 1 to 16384
+    float radius = 1;                    ///< world units, >= 0; 0 means that nothing occludes
+    unsigned rays = 256;                 ///< for each texel, > 0
+    std::uint32_t seed = 1;              ///< changes the rays; with the same seed the images are the same
+    unsigned threads = 0;                ///< 0: one for each core; the images do not depend on it
+    std::function<bool(double)> progress = {}; ///< called now and then, on the calling thread, with the
+                                               ///< fraction done; false cancels
+};
+
+/// What a camera sees, ray traced. Row 0 is at the top.
+struct truth {
+    image ao_hard;   ///< visibility where a hit at distance d <= radius occludes by 1
+    image ao_linear; ///< ... by 1 - d / radius
+    image ao_quad;   ///< ... by 1 - (d / radius)^2
+    image depth;     ///< positive linear view depth; the camera's far in the background
+    image normal; ///< 3 channels: unit geometric normal in view space, facing the camera; 0 in the background
+};
+
+/// Traces a ray through the centre of each texel, clipped to [near, far] as a rasteriser does, and from what
+/// it hits `rays` more, cosine-weighted around the geometric normal on the side of the camera. Visibility is
+/// 1 - the mean occlusion; background is 1. The field of view is the camera's; its width and height are not
+/// used.
+/// @throws truth_error, truth_cancelled, scene_error
+truth trace_truth(const mesh& scene, const camera& from, const truth_settings& settings);
+
+}
