@@ -62,10 +62,11 @@ namespace {
 /// Distance along a unit ray to a surface, and its normal there; infinity where it is missed.
 double meet(const surface& s, glm::dvec3 origin, glm::dvec3 direction, glm::dvec3& normal) {
     const double nothing = std::numeric_limits<double>::infinity();
-    if (s.shape == surface::kind::plane) {
+    if (s.shape == surface::kind::plane || s.shape == surface::kind::half_plane) {
         const double t = glm::dot(s.point - origin, s.normal) / glm::dot(direction, s.normal);
         normal = s.normal;
-        return t > 0 ? t : nothing;
+        const bool beside = s.shape == surface::kind::half_plane && (origin + t * direction).x < s.point.x;
+        return t > 0 && !beside ? t : nothing;
     }
     const glm::dvec3 to_centre = s.point - origin;
     const double along = glm::dot(to_centre, direction);

@@ -42,7 +42,12 @@ glm::dmat4 make_projection(lens kind, double aspect);
 
 /// A surface to look at.
 struct surface {
-    enum class kind { plane, sphere, inside_of_sphere } shape;
+    enum class kind {
+        plane,
+        half_plane,
+        sphere,
+        inside_of_sphere
+    } shape;           ///< a half plane: where x > point.x
     glm::dvec3 point;  ///< on the plane, or the centre
     glm::dvec3 normal; ///< of the plane
     double radius = 0;

@@ -15,9 +15,9 @@ inline constexpr glsl_file hbao_plus_glsl{
 struct hbao_plus {
     using needs = traits<screen_taps, depth_layers>;
     static constexpr setting reads[] = {
-        {"bias", &parameters::bias, 0.1f, 0, 1, "cosine between the normal and a tap that is taken off"},
-        {"strength", &parameters::strength, 2, 0, 16, "factor of the occlusion"},
-        {"exponent", &parameters::exponent, 1, 0.01f, 16, "power of the visibility"},
+        {"bias", &parameters::bias, 0.2f, 0, 1, "cosine between the normal and a tap that is taken off"},
+        {"strength", &parameters::strength, 2.2f, 0, 16, "factor of the occlusion"},
+        {"exponent", &parameters::exponent, 2, 0.01f, 16, "power of the visibility"},
     };
     static constexpr part description{
         .kind = role::estimator,

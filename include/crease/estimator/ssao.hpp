@@ -15,10 +15,10 @@ inline constexpr glsl_file ssao_glsl{
 struct ssao {
     using needs = traits<point_taps, depth_layers>;
     static constexpr setting reads[] = {
-        {"bias", &parameters::bias, 0.02f, 0, 1,
+        {"bias", &parameters::bias, 0.01f, 0, 1,
          "height over the tangent plane, in radii, below which a point is left out"},
-        {"strength", &parameters::strength, 1, 0, 16, "factor of the occlusion"},
-        {"exponent", &parameters::exponent, 1, 0.01f, 16, "power of the visibility"},
+        {"strength", &parameters::strength, 0.6f, 0, 16, "factor of the occlusion"},
+        {"exponent", &parameters::exponent, 2, 0.01f, 16, "power of the visibility"},
     };
     static constexpr part description{
         .kind = role::estimator,

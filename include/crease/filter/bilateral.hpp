@@ -12,9 +12,9 @@ inline constexpr glsl_file bilateral_glsl{
 };
 
 struct bilateral_part {
-    static constexpr number takes[] = {{"radius", 1, 16, 4, "texels to either side"}};
+    static constexpr number takes[] = {{"radius", 1, 16, 3, "texels to either side"}};
     static constexpr setting reads[] = {
-        {"sharpness", &parameters::sharpness, 8, 0, 1000,
+        {"sharpness", &parameters::sharpness, 32, 0, 1000,
          "how fast a weight falls with the difference in depth, per radius"},
     };
     static constexpr step_constant across[] = {{"axis", 0}};
@@ -41,7 +41,7 @@ struct bilateral_part {
 };
 
 /// Filter: a blur over 2 `Radius` + 1 texels each way that keeps to a surface.
-template <int Radius = 4>
+template <int Radius = 3>
 struct bilateral : bilateral_part {
     static constexpr int numbers[] = {Radius};
 };

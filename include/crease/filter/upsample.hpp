@@ -14,7 +14,7 @@ inline constexpr glsl_file upsample_glsl{
 struct upsample_part {
     static constexpr number takes[] = {{"factor", 2, 8, 2, "how much smaller the sides of the input are"}};
     static constexpr setting reads[] = {
-        {"sharpness", &parameters::sharpness, 8, 0, 1000,
+        {"sharpness", &parameters::sharpness, 32, 0, 1000,
          "how fast a weight falls with the difference in depth, per radius"},
     };
     static constexpr role view[] = {role::projection, role::depth_encoding};

@@ -15,8 +15,11 @@ struct crease_receiver {
 // What a pass computes for a pixel.
 struct crease_result {
     float visibility; // 1 open, 0 closed
-    float depth;      // positive, linear; crease_far_depth where there is only background
+    float depth;      // positive, linear; crease_background where there is none
 };
+
+// The depth of what is not there: further than any radius, and finite, so that its square is too.
+const float crease_background = 1e15;
 
 // Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
 ivec2 crease_size(int divisor) { return (ivec2(crease_resolution) + divisor - 1) / divisor; }

@@ -25,8 +25,8 @@ crease_result crease_evaluate(ivec2 pixel) {
     receiver.pixel = pixel;
     receiver.texel = crease_texel_of_pixel(pixel, crease_divisor);
     float depth = crease_depth_at(receiver.texel);
-    if (!(depth > 0.0 && depth < crease_far_depth)) // also where it is NaN
-        return crease_result(1.0, crease_far_depth);
+    if (!(depth > 0.0 && depth < crease_background))
+        return crease_result(1.0, crease_background);
     receiver.position = crease_view_position(receiver.texel, depth);
     receiver.to_eye = crease_to_eye(receiver.position);
     receiver.disk = crease_disk(receiver.position, receiver.to_eye);

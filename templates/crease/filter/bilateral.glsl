@@ -17,7 +17,7 @@ crease_result crease_evaluate(ivec2 pixel) {
     vec2 axis = vec2(crease_bilateral_axis == 0, crease_bilateral_axis == 1);
     vec2 centre = vec2(pixel) + 0.5;
     crease_result own = crease_decode(textureLod(crease_input, centre * scale, 0.0));
-    if (!(own.depth < crease_far_depth * 0.99)) // the encoding rounds it
+    if (!(own.depth < 0.99 * crease_background)) // the encoding rounds it
         return own;
     float tightness = crease_sharpness / max(crease_radius, 1e-20);
     const float spread = 2.0 / float(crease_bilateral_radius * crease_bilateral_radius);

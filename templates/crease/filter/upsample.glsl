@@ -10,8 +10,8 @@ crease_result crease_decode(uvec4 texel);
 crease_result crease_evaluate(ivec2 pixel) {
     vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
     float depth = crease_depth_at(texel);
-    if (!(depth > 0.0 && depth < crease_far_depth))
-        return crease_result(1.0, crease_far_depth);
+    if (!(depth < crease_background))
+        return crease_result(1.0, crease_background);
     // The smaller picture's pixel (i, j) stands for the texel crease_texel_of_pixel((i, j)) of this one.
     vec2 position = (vec2(pixel) - float((crease_upsample_factor - 1) / 2)) / float(crease_upsample_factor);
     ivec2 first = ivec2(floor(position));

@@ -6,7 +6,7 @@ R"glsl("
 
 float crease_depth_at(vec2 texel) {
     float depth = textureLod(crease_depth, texel * crease_texel_size, 0.0).x;
-    return depth > 0.0 ? depth : crease_far_depth; // a hole must not become an occluder at the eye
+    return depth > 0.0 && depth < crease_far_depth ? depth : crease_background; // a hole is no occluder at the eye
 }
 #ifdef __cplusplus
 ")glsl"

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// Scenes whose answer is known without sampling.
+#include "run.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace {
+
+using oracle::lens;
+using kind = oracle::surface::kind;
+
+const char* const recipes[] = {"hemisphere_points:16/single_layer/ssao", "directions:8x4/single_layer/hbao",
+                               "directions:8x4/single_layer/hbao_plus",
+                               "poisson_disk:16/single_layer/hbao_plus"};
+
+float least(const std::vector<float>& image) {
+    return *std::min_element(image.begin(), image.end());
+}
+
+}
+
+TEST_CASE("a plane is unoccluded at every slant, near and far, also with reconstructed normals") {
+    for (const char* recipe : recipes)
+        for (double degrees : {0.0, 30.0, 60.0, 75.0, 80.0})
+            for (double distance : {0.5, 3.0, 20.0})
+                for (const char* normals : {"", "/reconstructed_normals"}) {
+                    CAPTURE(std::string(recipe));
+                    CAPTURE(degrees);
+                    CAPTURE(distance);
+                    CAPTURE(std::string(normals));
+                    const double a = degrees * 3.14159265358979 / 180;
+                    for (glm::dvec3 normal :
+                         {glm::dvec3(std::sin(a), 0, std::cos(a)), glm::dvec3(0, std::sin(a), std::cos(a))}) {
+                        const oracle::picture p =
+                            oracle::draw({{kind::plane, {0, 0, -distance}, normal}}, lens::standard, 96, 64);
+                        CHECK(least(oracle::run(p, std::string(recipe) + normals, 0.3 * distance)) >= 0.995f);
+                    }
+                }
+}
+
+TEST_CASE("a radius of 0 occludes nothing, and a huge one gives finite values") {
+    const oracle::picture p = oracle::draw(oracle::still_life(), lens::standard, 48, 32);
+    for (const char* recipe : recipes) {
+        CAPTURE(std::string(recipe));
+        CHECK(least(oracle::run(p, recipe, 0)) == 1.0f);
+        for (float v : oracle::run(p, std::string(recipe) + "/bilateral", 1e6))
+            CHECK((v >= 0 && v <= 1));
+    }
+}
+
+TEST_CASE("odd sizes") {
+    for (auto [width, height] : {std::pair{1, 1}, {7, 5}, {641, 359}, {1, 9}, {16, 1}})
+        for (const char* filters : {"", "/bilateral", "/upsample:2", "/bilateral/upsample:4"}) {
+            CAPTURE(width);
+            CAPTURE(height);
+            CAPTURE(std::string(filters));
+            const oracle::picture p =
+                oracle::draw({{kind::plane, {0, 0, -2}, {0, 0.5, 0.8660254}}}, lens::standard, width, height);
+            for (const char* stage : {"", "/fragment"}) {
+                const auto image = oracle::run(p, std::string(recipes[1]) + filters + stage, 0.5);
+                CHECK(image.size() == p.device.size());
+                CHECK(least(image) >= 0.995f);
+            }
+        }
+}
+
+TEST_CASE("NaN, infinite and zero depth darken nothing around them") {
+    oracle::picture p = oracle::draw({{kind::plane, {0, 0, -2}, {0, 0, 1}}}, lens::standard, 40, 30);
+    const float bad[] = {std::nanf(""), std::numeric_limits<float>::infinity(), 1.0f};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 4; ++j)
+            p.device[p.index(5 + 9 * static_cast<int>(i), 4 + static_cast<int>(j) * 6)] = bad[i];
+    for (const char* recipe : recipes)
+        for (const char* parts : {"", "/reconstructed_normals", "/bilateral", "/bilateral/upsample:2"}) {
+            CAPTURE(std::string(recipe));
+            CAPTURE(parts);
+            for (float v : oracle::run(p, std::string(recipe) + parts, 0.5))
+                CHECK(v >= 0.99f);
+        }
+}
+
+TEST_CASE("the inside of a sphere, by HBAO's integral") {
+    // A chord of length r from a point of a sphere of radius s rises by asin(r / 2 s) over the tangent plane,
+    // so along each direction the occlusion is the integral of W(r) = 1 - (r / R)^2 over d sin = dr / 2 s,
+    // from the bias to R.
+    const double s = 2, radius = 1.2, bias = 0.15;
+    const oracle::picture p =
+        oracle::draw({{kind::inside_of_sphere, {0, 0, -3}, {}, s}}, lens::standard, 257, 181);
+    const crease::recipe chosen("directions:32x64/single_layer/hbao");
+    const auto composed = std::make_unique<crease::composition>(chosen);
+    crease::parameters how = oracle::view_parameters(p, composed->view(), radius);
+    how.strength = 1;
+    how.bias = static_cast<float>(bias);
+    const double first = 2 * s * std::sin(bias);
+    const auto integral = [&](double r) { return (r - r * r * r / (3 * radius * radius)) / (2 * s); };
+    const double expected = 1 - (integral(radius) - integral(first));
+    CHECK(oracle::run(p, composed->view(), how)[p.index(128, 90)] ==
+          doctest::Approx(expected).epsilon(0.015));
+}
+
+TEST_CASE("beside a step, by HBAO's integral") {
+    // Orthographic, floor and step face the eye: in each direction that meets the step of height h at
+    // distance d, the horizon jumps to its edge, at r = sqrt(d^2 + h^2), and falls behind it.
+    const double height = 0.4, radius = 0.9, bias = 0.15;
+    const oracle::picture p = oracle::draw(
+        {{kind::plane, {0, 0, -4}, {0, 0, 1}}, {kind::half_plane, {0, 0, -4 + height}, {0, 0, 1}}},
+        lens::orthographic, 400, 267);
+    const crease::recipe chosen("directions:64x64/single_layer/hbao/orthographic");
+    const auto composed = std::make_unique<crease::composition>(chosen);
+    crease::parameters how = oracle::view_parameters(p, composed->view(), radius);
+    how.strength = 1;
+    how.bias = static_cast<float>(bias);
+    const std::vector<float> image = oracle::run(p, composed->view(), how);
+    for (int x : {120, 150, 170, 190}) {
+        const double distance = -p.position(x, 133).x;
+        double occlusion = 0;
+        const int slices = 4000;
+        for (int i = 0; i < slices; ++i) {
+            const double angle = 2 * 3.14159265358979 * (i + 0.5) / slices;
+            const double along = distance / std::cos(angle);
+            const double r = std::sqrt(along * along + height * height);
+            if (std::cos(angle) > 0 && r < radius)
+                occlusion +=
+                    (1 - r * r / (radius * radius)) * std::max(height / r - std::sin(bias), 0.0) / slices;
+        }
+        CAPTURE(distance);
+        CHECK(image[p.index(x, 133)] == doctest::Approx(1 - occlusion).epsilon(0.02));
+    }
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "effect.hpp"
+
+#include <crease/crease.hpp>
+#include <crease/vulkan.hpp>
+
+#include <string>
+#include <vector>
+
+namespace oracle {
+
+/// The device of all tests, with validation: any message of the layers fails the test that caused it.
+crease::vulkan::device& device();
+
+/// Parameters for a picture, with an effect's defaults.
+crease::parameters view_parameters(const picture& p, const crease::effect_view& effect, double radius);
+
+/// The visibility that an effect gives for a picture, row by row.
+std::vector<float> run(const picture& p, const crease::effect_view& effect, const crease::parameters& how);
+
+/// The same for a recipe; its defaults and this radius.
+std::vector<float> run(const picture& p, const std::string& recipe_text, double radius);
+
+/// The settings that the oracle needs, out of the parameters.
+settings settings_of(const crease::parameters& how);
+
+/// The oracle's picture of a main pass, at 1 / `divisor` of the size of `p`.
+template <class Occlusion>
+visibility_image main_pass(const picture& p, const settings& s, int divisor, bool reconstructed,
+                           Occlusion occlusion) {
+    visibility_image out{(p.width + divisor - 1) / divisor, (p.height + divisor - 1) / divisor, {}, {}};
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < out.width; ++x) {
+            const int tx = std::min(x * divisor + (divisor - 1) / 2, p.width - 1);
+            const int ty = std::min(y * divisor + (divisor - 1) / 2, p.height - 1);
+            if (p.background(tx, ty)) {
+                out.visibility.push_back(1);
+                out.depth.push_back(1e9);
+                continue;
+            }
+            receiver r{tx, ty, x, y, p.position(tx, ty), glm::dvec3(p.normals[p.index(tx, ty)]), {}};
+            r.to_eye = p.to_eye(r.position);
+            if (reconstructed)
+                r.normal = reconstruct_normal(p, tx, ty);
+            out.visibility.push_back(
+                std::pow(std::clamp(1 - s.strength * occlusion(r), 0.0, 1.0), s.exponent));
+            out.depth.push_back(-r.position.z);
+        }
+    return out;
+}
+
+/// How a shader's picture differs from the oracle's.
+struct difference {
+    double typical = 0; ///< 99 % of the pixels differ by no more
+    double mean = 0;
+};
+
+difference compare(const std::vector<float>& shader, const std::vector<double>& expected);
+
+}
