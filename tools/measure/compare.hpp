@@ -31,7 +31,7 @@ struct comparison_settings {
     std::optional<float> far = {}; ///< a depth at or beyond it is background; without it the largest depth is
     double peak = 1;               ///< the range of the values
     image* difference = nullptr;   ///< receives 1 channel: the largest |test - reference| of a texel's
-                                 ///< channels; 0 in the background, infinite where either is not finite
+                                   ///< channels; 0 in the background, infinite where either is not finite
 };
 
 /// @param test,reference same width, height and channels

@@ -203,7 +203,7 @@ void add_crates(mesh& to) {
 /// The pillar that stands in the first camera's way, and the cupboard that it hides.
 void add_foreground(mesh& to) {
     add_column(to, at(0.2f, 0, 4.4f), 0.34f, 4.4f);
-    add_box(to, {-0.48f, 0, -0.3f}, {0.48f, 1.8f, 0.3f}, turned(at(-2.6f, 0, 2.1f), 48));
+    add_box(to, {-0.42f, 0, -0.25f}, {0.42f, 1.8f, 0.25f}, turned(at(-2.6f, 0, 1.98f), 49));
 }
 
 /// Planks that lean against the back wall.
@@ -240,7 +240,7 @@ std::vector<camera> built_in_cameras() {
         .name = "stairs", .eye = {-0.9f, 1.9f, 1.2f}, .target = {3.0f, 1.75f, -4.2f}, .vfov_deg = 52};
     stairs.ao_radius = 0.8f;
     camera arcade{
-        .name = "arcade", .eye = {-2.6f, 1.6f, 5.8f}, .target = {-6.4f, 1.7f, -1.5f}, .vfov_deg = 55};
+        .name = "arcade", .eye = {-3.2f, 1.7f, 2.9f}, .target = {-6.3f, 2.1f, -1.8f}, .vfov_deg = 55};
     arcade.ao_radius = 1.2f;
     return {overview, stairs, arcade};
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "scene/scene.hpp"
 
+#include <assimp/BaseImporter.h>
+#include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
+#include <assimp/LogStream.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -12,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 namespace crease::tools {
 namespace {
@@ -85,10 +89,56 @@ private:
     mesh result_;
 };
 
-mesh collect(Assimp::Importer& importer, const aiScene* scene, std::string_view name) {
+/// Assimp would read a file of any format that it recognises, whatever the extension says.
+void keep_known_formats(Assimp::Importer& importer) {
+    for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+        const std::string_view extensions = importer.GetImporterInfo(i)->mFileExtensions;
+        if (extensions == "gltf glb" || extensions == "obj")
+            continue;
+        const std::unique_ptr<Assimp::BaseImporter> other(importer.GetImporter(i));
+        importer.UnregisterLoader(other.get());
+    }
+}
+
+/// While it lives, it listens whether Assimp drops triangles, which it tells nobody but its log.
+class drop_listener {
+public:
+    drop_listener() {
+        Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0);
+        Assimp::DefaultLogger::get()->attachStream(new stream(dropped_),
+                                                   Assimp::Logger::Warn); // takes it over
+    }
+    drop_listener(const drop_listener&) = delete;
+    drop_listener& operator=(const drop_listener&) = delete;
+    ~drop_listener() { Assimp::DefaultLogger::kill(); }
+
+    bool dropped() const { return dropped_; }
+
+private:
+    struct stream final : Assimp::LogStream {
+        explicit stream(bool& flag) : dropped(flag) {}
+        void write(const char* message) override {
+            dropped |= std::string_view(message).find("out-of-range indices") != std::string_view::npos;
+        }
+        bool& dropped;
+    };
+    bool dropped_ = false;
+};
+
+/// @param read what reads the scene with an importer
+template <typename Read>
+mesh import(std::string_view name, Read read) {
+    Assimp::Importer importer;
+    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, unused_components);
+    keep_known_formats(importer);
+    const drop_listener log;
+    const aiScene* scene = read(importer);
     if (!scene || !scene->mRootNode)
         throw scene_error(
             fmt::format("{}: broken or unsupported scene: {}", name, importer.GetErrorString()));
+    if (log.dropped())
+        throw scene_error(
+            fmt::format("{}: a triangle uses a vertex that its mesh does not have; export it again", name));
     collector all(name);
     all.add(*scene, *scene->mRootNode, aiMatrix4x4());
     mesh result = all.take();
@@ -119,18 +169,15 @@ mesh load_mesh(const std::filesystem::path& path) {
     check_extension(extension.empty() ? extension : extension.substr(1), path.string());
     if (!std::filesystem::is_regular_file(path))
         throw scene_error(fmt::format("{}: no such file", path.string()));
-    Assimp::Importer importer;
-    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, unused_components);
-    return collect(importer, importer.ReadFile(path.string(), import_steps), path.string());
+    return import(path.string(),
+                  [&](Assimp::Importer& importer) { return importer.ReadFile(path.string(), import_steps); });
 }
 
 mesh parse_mesh(std::string_view bytes, std::string_view extension, std::string_view name) {
     check_extension(extension, name);
-    Assimp::Importer importer;
-    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, unused_components);
-    const std::string hint(extension);
-    return collect(importer,
-                   importer.ReadFileFromMemory(bytes.data(), bytes.size(), import_steps, hint.c_str()), name);
+    return import(name, [&, hint = std::string(extension)](Assimp::Importer& importer) {
+        return importer.ReadFileFromMemory(bytes.data(), bytes.size(), import_steps, hint.c_str());
+    });
 }
 
 }

@@ -55,7 +55,7 @@ struct camera {
 };
 
 /// Reads a JSON list of cameras: objects with exactly the names of `camera`'s members.
-/// @throws scene_error that names the camera and the field; file_error
+/// @throws scene_error, which names the camera and the field; file_error
 std::vector<camera> load_cameras(const std::filesystem::path& path);
 
 /// As `load_cameras`, from text; `name` is what an error calls it.

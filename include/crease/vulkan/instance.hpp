@@ -54,7 +54,8 @@ public:
                                               VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
         if (validation) {
             if (!has_validation_layer())
-                throw error(std::string("validation was asked for, but there is no layer ") + validation_layer);
+                throw error(std::string("validation was asked for, but there is no layer ") +
+                            validation_layer);
             info.enabledLayerCount = 1;
             info.ppEnabledLayerNames = &validation_layer;
             info.enabledExtensionCount = 2;
@@ -71,8 +72,8 @@ public:
 
     ~instance() {
         if (messenger_)
-            function<PFN_vkDestroyDebugUtilsMessengerEXT>("vkDestroyDebugUtilsMessengerEXT")(handle_, messenger_,
-                                                                                             nullptr);
+            function<PFN_vkDestroyDebugUtilsMessengerEXT>("vkDestroyDebugUtilsMessengerEXT")(
+                handle_, messenger_, nullptr);
         vkDestroyInstance(handle_, nullptr);
         for (const std::string& message : messages_) // too late to throw them
             std::fprintf(stderr, "crease::vulkan: %s\n", message.c_str());
@@ -104,13 +105,14 @@ private:
     }
 
     void listen(const VkDebugUtilsMessengerCreateInfoEXT& info) {
-        function<PFN_vkCreateDebugUtilsMessengerEXT>("vkCreateDebugUtilsMessengerEXT")(handle_, &info, nullptr,
-                                                                                       &messenger_);
+        function<PFN_vkCreateDebugUtilsMessengerEXT>("vkCreateDebugUtilsMessengerEXT")(handle_, &info,
+                                                                                       nullptr, &messenger_);
     }
 
     static VKAPI_ATTR VkBool32 VKAPI_CALL collect(VkDebugUtilsMessageSeverityFlagBitsEXT,
                                                   VkDebugUtilsMessageTypeFlagsEXT,
-                                                  const VkDebugUtilsMessengerCallbackDataEXT* data, void* messages) {
+                                                  const VkDebugUtilsMessengerCallbackDataEXT* data,
+                                                  void* messages) {
         static_cast<std::vector<std::string>*>(messages)->emplace_back(data->pMessage);
         return VK_FALSE;
     }

@@ -41,6 +41,19 @@ private:
     Handle handle_{};
 };
 
+/// A device itself, which is destroyed after all that belongs to it.
+struct owned_device {
+    VkDevice handle = VK_NULL_HANDLE;
+
+    owned_device() = default;
+    owned_device(const owned_device&) = delete;
+    owned_device& operator=(const owned_device&) = delete;
+    ~owned_device() {
+        if (handle)
+            vkDestroyDevice(handle, nullptr);
+    }
+};
+
 using owned_memory = owned<VkDeviceMemory, vkFreeMemory>;
 using owned_buffer = owned<VkBuffer, vkDestroyBuffer>;
 using owned_image = owned<VkImage, vkDestroyImage>;

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#include <crease/crease.hpp>
+
+#include <iostream>
+
+using ao = crease::effect<crease::directions<8, 4>, crease::single_layer, crease::hbao>;
+
+int main() {
+    std::cout << ao::source<0>;
+    return std::cout.flush() ? 0 : 1;
+}

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/vulkan/buffer.hpp>
+#include <crease/vulkan/image.hpp>
+
+namespace crease::vulkan::detail {
+
+inline std::size_t bytes_in(const image& of) {
+    const image_description& d = of.description();
+    return std::size_t{d.width} * d.height * d.layers * texel_of(d.texels).bytes;
+}
+
+inline VkBufferImageCopy whole(const image& of) {
+    VkBufferImageCopy region{};
+    region.imageSubresource = {of.aspect(), 0, 0, of.description().layers};
+    region.imageExtent = {of.description().width, of.description().height, 1};
+    return region;
+}
+
+inline void expect_count(const image& of, std::size_t wanted, std::size_t given, const std::string& unit) {
+    if (given != wanted)
+        throw error("the image '" + of.description().name + "' takes " + std::to_string(wanted) + " " + unit +
+                    ", not " + std::to_string(given));
+}
+
+inline void expect_texels(const image& of, format wanted) {
+    const format has = of.description().texels;
+    if (has != wanted)
+        throw error("the image '" + of.description().name + "' holds " + texel_of(has).name + ", not " +
+                    texel_of(wanted).name);
+}
+
+}
+
+namespace crease::vulkan {
+
+/// Fills an image made for VK_IMAGE_USAGE_TRANSFER_DST: row after row, layer after layer, without gaps.
+/// @throws error  where the number of bytes is not the image's
+inline void upload(device& on, image& to, std::span<const std::byte> bytes) {
+    detail::expect_count(to, detail::bytes_in(to), bytes.size(), "bytes");
+    const buffer staging(on, bytes.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, transfer::to_device,
+                         "upload of " + to.description().name);
+    std::ranges::copy(bytes, staging.bytes().begin());
+    on.submit([&](VkCommandBuffer commands) {
+        const VkBufferImageCopy region = detail::whole(to);
+        to.transition(commands, copied_to);
+        vkCmdCopyBufferToImage(commands, staging.handle(), to.handle(), copied_to.layout, 1, &region);
+    });
+}
+
+/// Fills an image with real numbers, of which rgba16_float takes four a texel; see above.
+inline void upload(device& on, image& to, std::span<const float> numbers) {
+    const detail::texel_type texel = detail::texel_of(to.description().texels);
+    detail::expect_count(to, detail::bytes_in(to) / texel.bytes * texel.components, numbers.size(),
+                         "numbers");
+    upload(on, to, detail::bytes_of(numbers, to.description().texels));
+}
+
+/// Fills an r32_uint image; see above.
+inline void upload(device& on, image& to, std::span<const std::uint32_t> numbers) {
+    detail::expect_texels(to, format::r32_uint);
+    upload(on, to, std::as_bytes(numbers));
+}
+
+/// The bytes of an image made for VK_IMAGE_USAGE_TRANSFER_SRC, in the order in which upload() takes them.
+inline std::vector<std::byte> download_bytes(device& on, image& from) {
+    const buffer staging(on, detail::bytes_in(from), VK_BUFFER_USAGE_TRANSFER_DST_BIT, transfer::from_device,
+                         "download of " + from.description().name);
+    on.submit([&](VkCommandBuffer commands) {
+        const VkBufferImageCopy region = detail::whole(from);
+        from.transition(commands, copied_from);
+        vkCmdCopyImageToBuffer(commands, from.handle(), copied_from.layout, staging.handle(), 1, &region);
+        auto barrier = detail::blank<VkMemoryBarrier>(VK_STRUCTURE_TYPE_MEMORY_BARRIER);
+        barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+        barrier.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
+        vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1,
+                             &barrier, 0, nullptr, 0, nullptr);
+    });
+    const std::span<const std::byte> bytes = staging.bytes();
+    return {bytes.begin(), bytes.end()};
+}
+
+/// The real numbers of an image: of r8_unorm in [0, 1], of rgba16_float four a texel.
+/// @throws error  where it holds whole numbers
+inline std::vector<float> download(device& on, image& from) {
+    return detail::numbers_of(download_bytes(on, from), from.description().texels);
+}
+
+/// The whole numbers of an r32_uint image.
+/// @throws error  where it holds others
+inline std::vector<std::uint32_t> download_uint(device& on, image& from) {
+    detail::expect_texels(from, format::r32_uint);
+    const std::vector<std::byte> bytes = download_bytes(on, from);
+    std::vector<std::uint32_t> numbers(bytes.size() / 4);
+    std::memcpy(numbers.data(), bytes.data(), bytes.size());
+    return numbers;
+}
+
+}

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/pass.hpp>
+#include <crease/vulkan/buffer.hpp>
+#include <crease/vulkan/image.hpp>
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace crease::vulkan::detail {
+
+constexpr bool has_descriptor(access how) {
+    return how != access::attachment && how != access::result;
+}
+
+constexpr VkDescriptorType descriptor_of(access how) {
+    return how == access::uniform  ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
+           : how == access::sample ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
+                                   : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+}
+
+/// How shaders use an image that is bound so; of an attachment the render target knows.
+constexpr image_use shader_use_of(access how, VkPipelineStageFlags stage) {
+    if (how == access::store)
+        return {stage, VK_ACCESS_SHADER_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, true};
+    return {stage, VK_ACCESS_SHADER_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false};
+}
+
+/// The descriptor sets of one pass, and the pipeline layout they make.
+class descriptors {
+public:
+    descriptors(const device& on, const pass& of, VkShaderStageFlags stage) : device_(on.handle()) {
+        std::ranges::copy_if(of.bindings, std::back_inserter(bindings_),
+                             [](const binding& b) { return has_descriptor(b.how); });
+        std::uint32_t set_count = 0;
+        for (const binding& b : bindings_)
+            set_count = std::max(set_count, b.set + 1);
+        for (std::uint32_t set = 0; set < set_count; ++set)
+            layouts_.push_back(make_set_layout(set, stage));
+        const std::vector<VkDescriptorSetLayout> handles(layouts_.begin(), layouts_.end());
+
+        auto info = blank<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
+        info.setLayoutCount = set_count;
+        info.pSetLayouts = handles.data();
+        layout_ = make<owned_pipeline_layout>(device_, vkCreatePipelineLayout, info, "a pipeline layout");
+        if (!bindings_.empty())
+            allocate_sets(handles);
+    }
+
+    VkPipelineLayout layout() const { return layout_; }
+
+    /// @param images  by resource; null at the block of parameters
+    void write(std::span<image* const> images, const buffer& parameters, VkSampler sampler) const {
+        const VkDescriptorBufferInfo block{parameters.handle(), 0, VK_WHOLE_SIZE};
+        for (const binding& b : bindings_) {
+            auto write = blank<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
+            write.dstSet = sets_[b.set];
+            write.dstBinding = b.slot;
+            write.descriptorCount = 1;
+            write.descriptorType = descriptor_of(b.how);
+            VkDescriptorImageInfo texels{};
+            if (b.how == access::uniform) {
+                write.pBufferInfo = &block;
+            } else {
+                texels = {sampler, images[b.resource]->view(), shader_use_of(b.how, 0).layout};
+                write.pImageInfo = &texels;
+            }
+            vkUpdateDescriptorSets(device_, 1, &write, 0, nullptr);
+        }
+    }
+
+    void bind(VkCommandBuffer commands, VkPipelineBindPoint point) const {
+        if (!sets_.empty())
+            vkCmdBindDescriptorSets(commands, point, layout_, 0, static_cast<std::uint32_t>(sets_.size()),
+                                    sets_.data(), 0, nullptr);
+    }
+
+private:
+    VkDevice device_;
+    std::vector<binding> bindings_; ///< those that have a descriptor
+    std::vector<owned_set_layout> layouts_;
+    owned_pipeline_layout layout_;
+    owned_descriptor_pool pool_;
+    std::vector<VkDescriptorSet> sets_;
+
+    owned_set_layout make_set_layout(std::uint32_t set, VkShaderStageFlags stage) const {
+        std::vector<VkDescriptorSetLayoutBinding> slots;
+        for (const binding& b : bindings_)
+            if (b.set == set)
+                slots.push_back({b.slot, descriptor_of(b.how), 1, stage, nullptr});
+        auto info =
+            blank<VkDescriptorSetLayoutCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO);
+        info.bindingCount = static_cast<std::uint32_t>(slots.size());
+        info.pBindings = slots.data();
+        return make<owned_set_layout>(device_, vkCreateDescriptorSetLayout, info, "a descriptor set layout");
+    }
+
+    void allocate_sets(const std::vector<VkDescriptorSetLayout>& layouts) {
+        std::vector<VkDescriptorPoolSize> sizes;
+        for (const binding& b : bindings_)
+            sizes.push_back({descriptor_of(b.how), 1});
+        auto info = blank<VkDescriptorPoolCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO);
+        info.maxSets = static_cast<std::uint32_t>(layouts.size());
+        info.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
+        info.pPoolSizes = sizes.data();
+        pool_ = make<owned_descriptor_pool>(device_, vkCreateDescriptorPool, info, "a descriptor pool");
+        auto wanted = blank<VkDescriptorSetAllocateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO);
+        wanted.descriptorPool = pool_;
+        wanted.descriptorSetCount = info.maxSets;
+        wanted.pSetLayouts = layouts.data();
+        sets_.resize(layouts.size());
+        check(vkAllocateDescriptorSets(device_, &wanted, sets_.data()), "make descriptor sets");
+    }
+};
+
+}

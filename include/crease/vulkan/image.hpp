@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/vulkan/memory.hpp>
+#include <crease/vulkan/texels.hpp>
+
+namespace crease::vulkan {
+
+/// What an image is made as.
+struct image_description {
+    std::string name; ///< in errors
+    format texels = format::none;
+    std::uint32_t width = 0, height = 0; ///< texels
+    std::uint32_t layers = 1, samples = 1;
+    VkImageUsageFlags usage = 0;
+};
+
+/// One way in which commands use an image.
+struct image_use {
+    VkPipelineStageFlags stages = VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT;
+    VkAccessFlags access = 0;
+    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+    bool writes = false;
+};
+
+inline constexpr image_use copied_from{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_READ_BIT,
+                                       VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, false};
+inline constexpr image_use copied_to{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT,
+                                     VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, true};
+
+/// An image of the device with one mip level, its view, and the record of its last use, from which barriers
+/// follow.
+class image {
+public:
+    /// @throws error  where a size is 0, or the device has no such images, or not enough memory
+    image(const device& on, const image_description& description) : description_(description) {
+        const detail::texel_type texel = detail::texel_of(description.texels);
+        const std::string what = "the image '" + description.name + "' of " +
+                                 std::to_string(description.width) + " x " +
+                                 std::to_string(description.height) + " " + texel.name;
+        if (description.width == 0 || description.height == 0)
+            throw error(what + " has no texels");
+        auto info = detail::blank<VkImageCreateInfo>(VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO);
+        info.imageType = VK_IMAGE_TYPE_2D;
+        info.format = texel.format;
+        info.extent = {description.width, description.height, 1};
+        info.mipLevels = 1;
+        info.arrayLayers = description.layers;
+        info.samples = static_cast<VkSampleCountFlagBits>(description.samples);
+        info.tiling = VK_IMAGE_TILING_OPTIMAL;
+        info.usage = description.usage;
+        expect_supported(on, info, what);
+        handle_ = detail::make<detail::owned_image>(on.handle(), vkCreateImage, info, what);
+        VkMemoryRequirements needs;
+        vkGetImageMemoryRequirements(on.handle(), handle_, &needs);
+        memory_ = detail::allocate(on, needs, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, what);
+        detail::check(vkBindImageMemory(on.handle(), handle_, memory_, 0), "bind " + what);
+        if (description.usage & viewable)
+            make_view(on, what);
+    }
+    image(const image&) = delete;
+    image& operator=(const image&) = delete;
+
+    const image_description& description() const { return description_; }
+    VkImage handle() const { return handle_; }
+    /// Null where the image is only copied.
+    VkImageView view() const { return view_; }
+
+    VkImageAspectFlags aspect() const {
+        return description_.texels == format::d32_float ? VK_IMAGE_ASPECT_DEPTH_BIT
+                                                        : VK_IMAGE_ASPECT_COLOR_BIT;
+    }
+    VkImageSubresourceRange range() const { return {aspect(), 0, 1, 0, description_.layers}; }
+
+    /// Records the barrier that the next use needs after the last one.
+    void transition(VkCommandBuffer commands, const image_use& next) {
+        const bool both_read = !last_.writes && !next.writes && last_.layout == next.layout;
+        const bool ready = both_read && (last_.stages & next.stages) == next.stages;
+        if (ready)
+            return;
+        auto barrier = detail::blank<VkImageMemoryBarrier>(VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER);
+        barrier.srcAccessMask = last_.writes ? last_.access : 0;
+        barrier.dstAccessMask = next.access;
+        barrier.oldLayout = last_.layout;
+        barrier.newLayout = next.layout;
+        barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+        barrier.image = handle_;
+        barrier.subresourceRange = range();
+        vkCmdPipelineBarrier(commands, last_.stages, next.stages, 0, 0, nullptr, 0, nullptr, 1, &barrier);
+        const VkPipelineStageFlags readers =
+            both_read ? last_.stages : 0; // a later write waits for all of them
+        last_ = next;
+        last_.stages |= readers;
+    }
+
+private:
+    image_description description_;
+    detail::owned_memory memory_;
+    detail::owned_image handle_;
+    detail::owned_image_view view_;
+    image_use last_;
+
+    static constexpr VkImageUsageFlags viewable = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
+                                                  VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
+                                                  VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+
+    void make_view(const device& on, const std::string& what) {
+        auto view = detail::blank<VkImageViewCreateInfo>(VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO);
+        view.image = handle_;
+        view.viewType = description_.layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
+        view.format = detail::texel_of(description_.texels).format;
+        view.subresourceRange = range();
+        view_ =
+            detail::make<detail::owned_image_view>(on.handle(), vkCreateImageView, view, "a view of " + what);
+    }
+
+    static void expect_supported(const device& on, const VkImageCreateInfo& info, const std::string& what) {
+        VkImageFormatProperties most;
+        const VkResult found = vkGetPhysicalDeviceImageFormatProperties(
+            on.physical(), info.format, info.imageType, info.tiling, info.usage, info.flags, &most);
+        const std::string refusal = "the device '" + on.name() + "' cannot hold " + what;
+        if (found == VK_ERROR_FORMAT_NOT_SUPPORTED)
+            throw error(refusal + ": it has no such images for" + uses(info.usage));
+        detail::check(found, "ask for the limits of " + what);
+        if (info.extent.width > most.maxExtent.width || info.extent.height > most.maxExtent.height)
+            throw error(refusal + ": the largest is " + std::to_string(most.maxExtent.width) + " x " +
+                        std::to_string(most.maxExtent.height));
+        if (info.arrayLayers > most.maxArrayLayers)
+            throw error(refusal + " with " + std::to_string(info.arrayLayers) + " layers: the most is " +
+                        std::to_string(most.maxArrayLayers));
+        if (!(info.samples & most.sampleCounts))
+            throw error(refusal + " with " + std::to_string(info.samples) + " samples a texel");
+    }
+
+    static std::string uses(VkImageUsageFlags usage) {
+        std::string names;
+        names += usage & VK_IMAGE_USAGE_SAMPLED_BIT ? " sampling" : "";
+        names += usage & VK_IMAGE_USAGE_STORAGE_BIT ? " storing" : "";
+        names += usage & (VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT)
+                     ? " rendering"
+                     : "";
+        return names;
+    }
+};
+
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/vulkan/instance.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace crease::vulkan::detail {
+
+/// A physical device, and its queue family for graphics and compute.
+struct selected_device {
+    VkPhysicalDevice physical = VK_NULL_HANDLE;
+    VkPhysicalDeviceProperties properties{};
+    std::uint32_t queue_family = 0;
+    std::uint32_t timestamp_bits = 0; ///< 0: its queue has no timestamps
+};
+
+inline VkPhysicalDeviceProperties properties_of(VkPhysicalDevice physical) {
+    VkPhysicalDeviceProperties properties;
+    vkGetPhysicalDeviceProperties(physical, &properties);
+    return properties;
+}
+
+/// @return nothing where the device is older than Vulkan 1.1 or has no such queue
+inline std::optional<selected_device> usable(VkPhysicalDevice physical) {
+    selected_device device{physical, properties_of(physical)};
+    std::uint32_t count = 0;
+    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
+    constexpr VkQueueFlags wanted = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+    for (device.queue_family = 0; device.queue_family < count; ++device.queue_family) {
+        const VkQueueFamilyProperties& family = families[device.queue_family];
+        device.timestamp_bits = family.timestampValidBits;
+        if ((family.queueFlags & wanted) == wanted && device.properties.apiVersion >= VK_API_VERSION_1_1)
+            return device;
+    }
+    return std::nullopt;
+}
+
+/// 0 is the best.
+constexpr int rank_of(VkPhysicalDeviceType type) {
+    switch (type) {
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+        return 0;
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+        return 1;
+    default:
+        return 2;
+    }
+}
+
+/// The best device whose name contains `wanted`.
+/// @throws error  where there is none, with the names there are
+inline selected_device select(const instance& from, const std::string& wanted) {
+    std::optional<selected_device> best;
+    std::string names;
+    for (VkPhysicalDevice physical : from.devices()) {
+        const std::optional<selected_device> device = usable(physical);
+        if (!device)
+            continue;
+        const std::string name = device->properties.deviceName;
+        names += (names.empty() ? "'" : ", '") + name + "'";
+        const bool better =
+            !best || rank_of(device->properties.deviceType) < rank_of(best->properties.deviceType);
+        if (name.find(wanted) != std::string::npos && better)
+            best = device;
+    }
+    if (names.empty())
+        throw error("there is no Vulkan 1.1 device with a queue for graphics and compute on this machine");
+    if (!best)
+        throw error("there is no Vulkan device named '" + wanted + "'; there is " + names);
+    return *best;
+}
+
+}

@@ -1,0 +1,19 @@
+// crease::effect: a filter takes a picture of full size, and the one before it makes a smaller one
+// (history)
+// no recipe says this
+// SPDX-License-Identifier: MIT
+#include <crease/crease.hpp>
+
+// A filter that reads pixels of the picture, like a temporal one.
+struct history {
+    static constexpr crease::step passes[] = {{.name = "history",
+                                               .body = &crease::bilateral_glsl,
+                                               .input = &crease::visibility_depth_encoding,
+                                               .full_size_input = true}};
+    static constexpr crease::part description{
+        .kind = crease::role::filter, .name = "history", .summary = "", .source = "", .steps = passes};
+};
+
+using namespace crease;
+
+constexpr auto count = effect<directions<>, single_layer, hbao, history, upsample<>>::passes.size();

@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: MIT
+cmake_minimum_required(VERSION 3.25)
+
+function(run)
+    execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    if(NOT result EQUAL 0)
+        list(JOIN ARGN " " command)
+        message(FATAL_ERROR "${command}\n${output}")
+    endif()
+endfunction()
+
+function(require_shader program)
+    execute_process(COMMAND ${program} RESULT_VARIABLE result OUTPUT_VARIABLE output)
+    if(NOT result EQUAL 0 OR NOT output MATCHES "^#version 450\n.*void main\\(\\)")
+        message(FATAL_ERROR "${program} prints no shader:\n${output}")
+    endif()
+endfunction()

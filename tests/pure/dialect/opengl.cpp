@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#include <crease/crease.hpp>
+
+#include <doctest/doctest.h>
+
+TEST_CASE("the opengl dialect is GLSL 430") {
+    using effect =
+        crease::effect<crease::directions<>, crease::single_layer, crease::hbao, crease::opengl_glsl>;
+    CHECK(effect::source<0>.starts_with("#version 430\n"));
+    CHECK(effect::passes[0].dialect == crease::dialect_kind::opengl);
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include <crease/fixed_list.hpp>
+
+#include <doctest/doctest.h>
+
+#include <limits>
+
+static_assert([] {
+    crease::fixed_list<int, 3> list;
+    list.add(4);
+    list.add(5);
+    return list.size() == 2 && list[1] == 5 && !list.full() && list.end() - list.begin() == 2;
+}());
+
+TEST_CASE("fixed_text writes numbers") {
+    crease::fixed_text<64> text;
+    text << 0 << " " << -7 << " " << 1023u << " " << std::numeric_limits<int>::min();
+    CHECK(text.view() == "0 -7 1023 -2147483648");
+}
+
+TEST_CASE("fixed_text cuts off what does not fit and says so") {
+    crease::fixed_text<5> text;
+    text << "four";
+    CHECK_FALSE(text.cut);
+    text << "five";
+    CHECK(text.cut);
+    CHECK(text.view() == "fourf");
+}

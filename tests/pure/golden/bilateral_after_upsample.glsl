@@ -1,0 +1,113 @@
+#version 450
+layout(local_size_x = 16, local_size_y = 16, local_size_x_id = 0, local_size_y_id = 1) in;
+layout(constant_id = 2) const int crease_bilateral_radius = 4;
+const int crease_bilateral_axis = 0;
+const int crease_divisor = 1;
+const int crease_input_divisor = 1;
+#define crease_decode crease_decode_visibility_depth
+#define crease_encode crease_encode_visibility_depth
+layout(set = 0, binding = 1) uniform usampler2D crease_input;
+layout(r32ui, set = 0, binding = 2) uniform writeonly uimage2D crease_output;
+layout(std140, set = 0, binding = 0)
+// SPDX-License-Identifier: MIT
+uniform crease_parameters {
+    vec4 crease_view_from_texel;
+    vec2 crease_depth_unpack;
+    float crease_far_depth;
+    float crease_radius;
+    vec2 crease_resolution;
+    vec2 crease_texel_size;
+    float crease_bias;
+    float crease_threshold;
+    float crease_strength;
+    float crease_exponent;
+    float crease_sharpness;
+    uint crease_frame;
+};
+// SPDX-License-Identifier: MIT
+// The point whose visibility is asked for.
+struct crease_receiver {
+    ivec2 pixel;   // of the pass's output
+    vec2 texel;    // texel space of the depth image
+    vec3 position; // view space
+    vec3 normal;   // view space, unit
+    vec3 to_eye;   // view space, unit
+    mat2 disk;     // offsets on the disk of the AO radius that faces the eye, in units of the radius, to texels
+};
+
+// What a pass computes for a pixel.
+struct crease_result {
+    float visibility; // 1 open, 0 closed
+    float depth;      // positive, linear; crease_background where there is none
+};
+
+// The depth of what is not there: further than any radius, and finite, so that its square is too.
+const float crease_background = 1e15;
+
+// Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
+ivec2 crease_size(int divisor) { return (ivec2(crease_resolution) + divisor - 1) / divisor; }
+
+// The texel of the picture that stands for a pixel of a picture that is smaller by `divisor`.
+vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
+    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_resolution) - 1)) + 0.5;
+}
+// SPDX-License-Identifier: MIT
+// Visibility in the low 8 bits, depth in the others: a depth is exact to 2^-15 of itself.
+
+uvec4 crease_encode_visibility_depth(crease_result result) {
+    return uvec4((floatBitsToUint(result.depth) & ~255u) | uint(result.visibility * 255.0 + 0.5));
+}
+
+crease_result crease_decode_visibility_depth(uvec4 texel) {
+    return crease_result(float(texel.x & 255u) * (1.0 / 255.0), uintBitsToFloat(texel.x & ~255u));
+}
+// SPDX-License-Identifier: MIT
+// One direction of a separable cross-bilateral blur with a depth-slope correction: stochastic-depth-ao 8.1.
+
+crease_result crease_decode(uvec4 texel);
+
+// The slope of one side, or where that looks like an edge, the other side's carried on.
+float crease_bilateral_slope(float own, float other, float tightness) {
+    return abs(own) * tightness > 1.0 && abs(own) > 2.0 * abs(other) ? -other : own;
+}
+
+crease_result crease_evaluate(ivec2 pixel) {
+    vec2 scale = 1.0 / vec2(textureSize(crease_input, 0));
+    vec2 last = vec2(crease_size(crease_divisor));
+    vec2 axis = vec2(crease_bilateral_axis == 0, crease_bilateral_axis == 1);
+    vec2 centre = vec2(pixel) + 0.5;
+    crease_result own = crease_decode(textureLod(crease_input, centre * scale, 0.0));
+    if (!(own.depth < 0.99 * crease_background)) // the encoding rounds it
+        return own;
+    float tightness = crease_sharpness / max(crease_radius, 1e-20);
+    const float spread = 2.0 / float(crease_bilateral_radius * crease_bilateral_radius);
+    vec2 sum = vec2(own.visibility, 1.0);
+    float slope_before = 0.0, slope_after = 0.0;
+    for (int i = 1; i <= crease_bilateral_radius; ++i) {
+        float away = float(i);
+        vec2 at_before = centre - axis * away, at_after = centre + axis * away;
+        crease_result before = crease_decode(textureLod(crease_input, at_before * scale, 0.0));
+        crease_result after = crease_decode(textureLod(crease_input, at_after * scale, 0.0));
+        float apart_before = before.depth - own.depth, apart_after = after.depth - own.depth;
+        if (i == 1) {
+            slope_before = crease_bilateral_slope(apart_before, apart_after, tightness);
+            slope_after = crease_bilateral_slope(apart_after, apart_before, tightness);
+        }
+        apart_before = (apart_before - slope_before * away) * tightness;
+        apart_after = (apart_after - slope_after * away) * tightness;
+        float weight_before = exp2(-spread * away * away - apart_before * apart_before);
+        float weight_after = exp2(-spread * away * away - apart_after * apart_after);
+        weight_before = dot(at_before, axis) > 0.0 ? weight_before : 0.0;
+        weight_after = dot(last - at_after, axis) > 0.0 ? weight_after : 0.0;
+        sum += vec2(before.visibility, 1.0) * weight_before + vec2(after.visibility, 1.0) * weight_after;
+    }
+    return crease_result(sum.x / sum.y, own.depth);
+}
+// SPDX-License-Identifier: MIT
+crease_result crease_evaluate(ivec2 pixel);
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (all(lessThan(pixel, crease_size(crease_divisor))))
+        imageStore(crease_output, pixel, crease_encode(crease_evaluate(pixel)));
+}

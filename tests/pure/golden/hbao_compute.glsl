@@ -1,0 +1,307 @@
+#version 450
+layout(local_size_x = 16, local_size_y = 16, local_size_x_id = 0, local_size_y_id = 1) in;
+layout(constant_id = 2) const int crease_directions_count = 8;
+layout(constant_id = 3) const int crease_directions_steps = 4;
+const int crease_divisor = 1;
+#define crease_encode crease_encode_visibility
+layout(set = 0, binding = 1) uniform sampler2D crease_depth;
+layout(set = 0, binding = 2) uniform sampler2D crease_normal;
+layout(r8, set = 0, binding = 3) uniform writeonly image2D crease_output;
+layout(std140, set = 0, binding = 0)
+// SPDX-License-Identifier: MIT
+uniform crease_parameters {
+    vec4 crease_view_from_texel;
+    vec2 crease_depth_unpack;
+    float crease_far_depth;
+    float crease_radius;
+    vec2 crease_resolution;
+    vec2 crease_texel_size;
+    float crease_bias;
+    float crease_threshold;
+    float crease_strength;
+    float crease_exponent;
+    float crease_sharpness;
+    uint crease_frame;
+};
+// SPDX-License-Identifier: MIT
+// The point whose visibility is asked for.
+struct crease_receiver {
+    ivec2 pixel;   // of the pass's output
+    vec2 texel;    // texel space of the depth image
+    vec3 position; // view space
+    vec3 normal;   // view space, unit
+    vec3 to_eye;   // view space, unit
+    mat2 disk;     // offsets on the disk of the AO radius that faces the eye, in units of the radius, to texels
+};
+
+// What a pass computes for a pixel.
+struct crease_result {
+    float visibility; // 1 open, 0 closed
+    float depth;      // positive, linear; crease_background where there is none
+};
+
+// The depth of what is not there: further than any radius, and finite, so that its square is too.
+const float crease_background = 1e15;
+
+// Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
+ivec2 crease_size(int divisor) { return (ivec2(crease_resolution) + divisor - 1) / divisor; }
+
+// The texel of the picture that stands for a pixel of a picture that is smaller by `divisor`.
+vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
+    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_resolution) - 1)) + 0.5;
+}
+// SPDX-License-Identifier: MIT
+// A perspective projection, centred or not; depth standard, reversed or infinite: stochastic-depth-ao 4.4.
+
+float crease_linear_depth(float device) {
+    return 1.0 / max(device * crease_depth_unpack.x + crease_depth_unpack.y, 1e-16);
+}
+
+vec3 crease_view_position(vec2 texel, float depth) {
+    return vec3(texel * crease_view_from_texel.xy + crease_view_from_texel.zw, -1.0) * depth;
+}
+
+vec2 crease_texel_at(vec3 position) {
+    return (position.xy / -position.z - crease_view_from_texel.zw) / crease_view_from_texel.xy;
+}
+
+vec3 crease_to_eye(vec3 position) { return -normalize(position); }
+
+// Derivative of the projection at `position` along two axes that face the eye, times the radius.
+mat2 crease_disk(vec3 position, vec3 to_eye) {
+    vec3 across = normalize(vec3(to_eye.z, 0.0, -to_eye.x));
+    vec3 up = cross(to_eye, across);
+    vec2 ray = position.xy / -position.z;
+    vec2 scale = crease_radius / (-position.z * crease_view_from_texel.xy);
+    return mat2((across.xy + ray * across.z) * scale, (up.xy + ray * up.z) * scale);
+}
+// SPDX-License-Identifier: MIT
+// The depth image holds device depth, as the depth buffer does.
+
+float crease_linear_depth(float device);
+
+float crease_depth_at(vec2 texel) {
+    float depth = crease_linear_depth(textureLod(crease_depth, texel * crease_texel_size, 0.0).x);
+    return depth < crease_far_depth ? depth : crease_background; // the far plane is no occluder, nor is NaN
+}
+// SPDX-License-Identifier: MIT
+// One layer of depth, that of the receivers.
+
+float crease_depth_at(vec2 texel);
+
+struct crease_layers {
+    float depth;
+};
+
+crease_layers crease_fetch_layers(vec2 texel) { return crease_layers(crease_depth_at(texel)); }
+
+int crease_layer_count(crease_layers layers) { return 1; }
+
+float crease_layer_depth(crease_layers layers, int layer) { return layers.depth; }
+// SPDX-License-Identifier: MIT
+// The normals image holds view-space normals, facing the camera, of any length.
+
+vec3 crease_to_eye(vec3 position);
+
+vec3 crease_normal_at(vec2 texel, vec3 position) {
+    vec3 normal = textureLod(crease_normal, texel * crease_texel_size, 0.0).xyz;
+    float squared = dot(normal, normal);
+    return squared > 0.0 ? normal * inversesqrt(squared) : crease_to_eye(position);
+}
+// SPDX-License-Identifier: MIT
+// Two numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
+
+uvec3 crease_noise_hash(uvec3 v) {
+    v = v * 1664525u + 1013904223u;
+    v += v.yzx * v.zxy;
+    v ^= v >> 16u;
+    v += v.yzx * v.zxy;
+    return v;
+}
+
+vec2 crease_noise(ivec2 pixel) {
+    return vec2(crease_noise_hash(uvec3(uvec2(pixel), crease_frame)).xy >> 8u) * (1.0 / 16777216.0);
+}
+// SPDX-License-Identifier: MIT
+// A tap on the screen, at the centre of a texel.
+struct crease_tap {
+    vec2 texel;
+    bool inside; // whether the texel is in the picture
+};
+// SPDX-License-Identifier: MIT
+// Directions that divide the circle evenly, marched in even steps; both start at a random offset per pixel:
+// stochastic-depth-ao, Algorithms 2 and 3.
+
+vec2 crease_noise(ivec2 pixel);
+
+struct crease_pattern {
+    vec2 direction; // unit, on the disk that faces the eye
+    vec2 stride;    // texels
+    vec2 first;     // texels, from the receiver to step 0
+    float offset;   // of step 0, in strides
+};
+
+float crease_directions_angle() { return 6.28318531 / float(crease_directions_count); }
+
+crease_pattern crease_pattern_begin(crease_receiver receiver) {
+    vec2 noise = crease_noise(receiver.pixel);
+    float angle = noise.x * crease_directions_angle();
+    return crease_pattern(vec2(cos(angle), sin(angle)), vec2(0.0), vec2(0.0), noise.y);
+}
+
+int crease_direction_count() { return crease_directions_count; }
+
+int crease_step_count() { return crease_directions_steps; }
+
+void crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) {
+    vec2 turn = vec2(cos(crease_directions_angle()), sin(crease_directions_angle()));
+    pattern.direction = vec2(turn.x * pattern.direction.x - turn.y * pattern.direction.y,
+                             turn.y * pattern.direction.x + turn.x * pattern.direction.y);
+    pattern.offset = fract(pattern.offset + 0.61803399); // another first step in each direction
+    pattern.stride = receiver.disk * pattern.direction / float(crease_directions_steps + 1);
+    // One texel further, so that no tap falls on the receiver itself.
+    pattern.first = receiver.texel + pattern.stride * pattern.offset + normalize(pattern.stride);
+}
+
+crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
+    vec2 texel = floor(pattern.first + pattern.stride * float(step)) + 0.5;
+    return crease_tap(texel, all(greaterThan(texel, vec2(0.0))) && all(lessThan(texel, crease_resolution)));
+}
+// SPDX-License-Identifier: MIT
+// Horizons: stochastic-depth-ao, Algorithm 2, with the threshold of 4.4.
+//
+// The Z axis of the paper's figure 4.5 is the direction to the eye, and the tangent is taken at the azimuth of the tap
+// itself, which its texel moves off the marched direction: so a plane is unoccluded at every slant.
+
+int crease_direction_count();
+
+struct crease_estimate {
+    float occlusion; // summed over the directions
+    float horizon;   // of this direction: sine of its angle less the sine of the tangent's
+    float cos_bias;
+    float sin_bias;
+    float slope;     // 1 / cosine of the angle between the normal and the direction to the eye
+};
+
+struct crease_contribution {
+    float occlusion;
+    float horizon;
+};
+
+crease_estimate crease_estimate_begin(crease_receiver receiver) {
+    float facing = max(dot(receiver.normal, receiver.to_eye), 1e-3);
+    return crease_estimate(0.0, 0.0, cos(crease_bias), sin(crease_bias), 1.0 / facing);
+}
+
+void crease_estimate_turn(inout crease_estimate estimate) { estimate.horizon = 0.0; }
+
+crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
+    vec3 to_tap = position - receiver.position;
+    float squared = dot(to_tap, to_tap);
+    float height = dot(to_tap, receiver.normal);   // over the tangent plane
+    float towards_eye = dot(to_tap, receiver.to_eye);
+    float across = squared - towards_eye * towards_eye;
+    float tangent_rise = towards_eye - height * estimate.slope;
+    float inverse_length = inversesqrt(squared);
+    float inverse_tangent = inversesqrt(across + tangent_rise * tangent_rise);
+    float sin_tangent = tangent_rise * inverse_tangent;
+    float cos_tangent = sqrt(max(across, 0.0)) * inverse_tangent;
+    // The tangent's angle plus the bias, at most a right angle.
+    float sin_biased = cos_tangent * estimate.cos_bias < sin_tangent * estimate.sin_bias
+        ? 1.0
+        : sin_tangent * estimate.cos_bias + cos_tangent * estimate.sin_bias;
+    float horizon = max(estimate.horizon, sin_biased - sin_tangent);
+    float rise = towards_eye * inverse_length - sin_tangent;
+    bool counts = rise > horizon && squared < crease_radius * crease_radius &&
+                  height * inverse_length > crease_threshold;
+    float falloff = 1.0 - squared / (crease_radius * crease_radius);
+    return counts ? crease_contribution(falloff * (rise - horizon), rise)
+                  : crease_contribution(0.0, estimate.horizon);
+}
+
+void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {
+    estimate.occlusion += contribution.occlusion;
+    estimate.horizon = contribution.horizon;
+}
+
+float crease_estimate_occlusion(crease_estimate estimate) {
+    return estimate.occlusion / float(crease_direction_count());
+}
+// SPDX-License-Identifier: MIT
+// The layers of a tap count as the one that occludes the most: stochastic-depth-ao 6.2, a-buffer-ssao III A.
+
+crease_layers crease_fetch_layers(vec2 texel);
+int crease_layer_count(crease_layers layers);
+float crease_layer_depth(crease_layers layers, int layer);
+vec3 crease_view_position(vec2 texel, float depth);
+crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position);
+
+crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap) {
+    crease_layers layers = crease_fetch_layers(tap.texel);
+    crease_contribution most = crease_weigh(
+        estimate, receiver, tap, crease_view_position(tap.texel, crease_layer_depth(layers, 0)));
+    for (int layer = 1; layer < crease_layer_count(layers); ++layer) {
+        crease_contribution other = crease_weigh(
+            estimate, receiver, tap, crease_view_position(tap.texel, crease_layer_depth(layers, layer)));
+        if (other.occlusion > most.occlusion)
+            most = other;
+    }
+    return most;
+}
+// SPDX-License-Identifier: MIT
+// Visibility alone.
+vec4 crease_encode_visibility(crease_result result) { return vec4(result.visibility); }
+// SPDX-License-Identifier: MIT
+// The loop of every technique: each tap of the sampler, each layer of the depth source, weighed by the estimator.
+
+float crease_depth_at(vec2 texel);
+vec3 crease_view_position(vec2 texel, float depth);
+vec3 crease_to_eye(vec3 position);
+mat2 crease_disk(vec3 position, vec3 to_eye);
+vec3 crease_normal_at(vec2 texel, vec3 position);
+crease_pattern crease_pattern_begin(crease_receiver receiver);
+int crease_direction_count();
+int crease_step_count();
+void crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
+crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
+crease_estimate crease_estimate_begin(crease_receiver receiver);
+void crease_estimate_turn(inout crease_estimate estimate);
+crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap);
+void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
+float crease_estimate_occlusion(crease_estimate estimate);
+
+crease_result crease_evaluate(ivec2 pixel) {
+    crease_receiver receiver;
+    receiver.pixel = pixel;
+    receiver.texel = crease_texel_of_pixel(pixel, crease_divisor);
+    float depth = crease_depth_at(receiver.texel);
+    if (!(depth > 0.0 && depth < crease_background))
+        return crease_result(1.0, crease_background);
+    receiver.position = crease_view_position(receiver.texel, depth);
+    receiver.to_eye = crease_to_eye(receiver.position);
+    receiver.disk = crease_disk(receiver.position, receiver.to_eye);
+    receiver.normal = crease_normal_at(receiver.texel, receiver.position);
+
+    crease_pattern pattern = crease_pattern_begin(receiver);
+    crease_estimate estimate = crease_estimate_begin(receiver);
+    for (int direction = 0; direction < crease_direction_count(); ++direction) {
+        crease_pattern_turn(pattern, receiver, direction);
+        crease_estimate_turn(estimate);
+        for (int step = 0; step < crease_step_count(); ++step) {
+            crease_tap tap = crease_pattern_tap(pattern, receiver, step);
+            if (tap.inside)
+                crease_estimate_add(estimate, crease_fold(estimate, receiver, tap));
+        }
+    }
+    float occlusion = crease_estimate_occlusion(estimate);
+    // Strength and exponent: stochastic-depth-ao 8.1.
+    return crease_result(pow(clamp(1.0 - occlusion * crease_strength, 0.0, 1.0), crease_exponent), depth);
+}
+// SPDX-License-Identifier: MIT
+crease_result crease_evaluate(ivec2 pixel);
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (all(lessThan(pixel, crease_size(crease_divisor))))
+        imageStore(crease_output, pixel, crease_encode(crease_evaluate(pixel)));
+}

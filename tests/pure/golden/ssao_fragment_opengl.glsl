@@ -1,0 +1,290 @@
+#version 430
+const int crease_hemisphere_points_count = 16;
+const int crease_divisor = 1;
+#define crease_encode crease_encode_visibility
+layout(binding = 0) uniform sampler2D crease_depth;
+layout(location = 0) out vec4 crease_output;
+layout(std140, binding = 0)
+// SPDX-License-Identifier: MIT
+uniform crease_parameters {
+    vec4 crease_view_from_texel;
+    vec2 crease_depth_unpack;
+    float crease_far_depth;
+    float crease_radius;
+    vec2 crease_resolution;
+    vec2 crease_texel_size;
+    float crease_bias;
+    float crease_threshold;
+    float crease_strength;
+    float crease_exponent;
+    float crease_sharpness;
+    uint crease_frame;
+};
+// SPDX-License-Identifier: MIT
+// The point whose visibility is asked for.
+struct crease_receiver {
+    ivec2 pixel;   // of the pass's output
+    vec2 texel;    // texel space of the depth image
+    vec3 position; // view space
+    vec3 normal;   // view space, unit
+    vec3 to_eye;   // view space, unit
+    mat2 disk;     // offsets on the disk of the AO radius that faces the eye, in units of the radius, to texels
+};
+
+// What a pass computes for a pixel.
+struct crease_result {
+    float visibility; // 1 open, 0 closed
+    float depth;      // positive, linear; crease_background where there is none
+};
+
+// The depth of what is not there: further than any radius, and finite, so that its square is too.
+const float crease_background = 1e15;
+
+// Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
+ivec2 crease_size(int divisor) { return (ivec2(crease_resolution) + divisor - 1) / divisor; }
+
+// The texel of the picture that stands for a pixel of a picture that is smaller by `divisor`.
+vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
+    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_resolution) - 1)) + 0.5;
+}
+// SPDX-License-Identifier: MIT
+// An orthographic projection, centred or not; depth standard or reversed.
+
+float crease_linear_depth(float device) { return device * crease_depth_unpack.x + crease_depth_unpack.y; }
+
+vec3 crease_view_position(vec2 texel, float depth) {
+    return vec3(texel * crease_view_from_texel.xy + crease_view_from_texel.zw, -depth);
+}
+
+vec2 crease_texel_at(vec3 position) {
+    return (position.xy - crease_view_from_texel.zw) / crease_view_from_texel.xy;
+}
+
+vec3 crease_to_eye(vec3 position) { return vec3(0.0, 0.0, 1.0); }
+
+mat2 crease_disk(vec3 position, vec3 to_eye) {
+    vec2 scale = crease_radius / crease_view_from_texel.xy;
+    return mat2(scale.x, 0.0, 0.0, scale.y);
+}
+// SPDX-License-Identifier: MIT
+// The depth image holds device depth, as the depth buffer does.
+
+float crease_linear_depth(float device);
+
+float crease_depth_at(vec2 texel) {
+    float depth = crease_linear_depth(textureLod(crease_depth, texel * crease_texel_size, 0.0).x);
+    return depth < crease_far_depth ? depth : crease_background; // the far plane is no occluder, nor is NaN
+}
+// SPDX-License-Identifier: MIT
+// One layer of depth, that of the receivers.
+
+float crease_depth_at(vec2 texel);
+
+struct crease_layers {
+    float depth;
+};
+
+crease_layers crease_fetch_layers(vec2 texel) { return crease_layers(crease_depth_at(texel)); }
+
+int crease_layer_count(crease_layers layers) { return 1; }
+
+float crease_layer_depth(crease_layers layers, int layer) { return layers.depth; }
+// SPDX-License-Identifier: MIT
+// The normal of the plane through the receiver and its neighbours: of left and right, and of up and down, the one
+// that is nearer in depth.
+
+float crease_depth_at(vec2 texel);
+vec3 crease_view_position(vec2 texel, float depth);
+vec3 crease_to_eye(vec3 position);
+
+vec3 crease_reconstructed_normals_tangent(vec2 texel, vec3 position, vec2 axis) {
+    vec2 before_texel = texel - axis, after_texel = texel + axis;
+    vec3 before = crease_view_position(before_texel, crease_depth_at(before_texel));
+    vec3 after = crease_view_position(after_texel, crease_depth_at(after_texel));
+    bool has_before = all(greaterThan(before_texel, vec2(0.0)));
+    bool has_after = all(lessThan(after_texel, crease_resolution));
+    bool take_after = has_after && (!has_before || abs(after.z - position.z) < abs(before.z - position.z));
+    return take_after ? after - position : position - before;
+}
+
+vec3 crease_normal_at(vec2 texel, vec3 position) {
+    vec3 normal = cross(crease_reconstructed_normals_tangent(texel, position, vec2(1.0, 0.0)),
+                        crease_reconstructed_normals_tangent(texel, position, vec2(0.0, 1.0)));
+    float squared = dot(normal, normal);
+    vec3 to_eye = crease_to_eye(position);
+    if (!(squared > 0.0 && squared < 1e30)) // a picture one texel wide, or a neighbour that is not finite
+        return to_eye;
+    normal *= inversesqrt(squared);
+    return dot(normal, to_eye) < 0.0 ? -normal : normal;
+}
+// SPDX-License-Identifier: MIT
+// Two numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
+
+uvec3 crease_noise_hash(uvec3 v) {
+    v = v * 1664525u + 1013904223u;
+    v += v.yzx * v.zxy;
+    v ^= v >> 16u;
+    v += v.yzx * v.zxy;
+    return v;
+}
+
+vec2 crease_noise(ivec2 pixel) {
+    return vec2(crease_noise_hash(uvec3(uvec2(pixel), crease_frame)).xy >> 8u) * (1.0 / 16777216.0);
+}
+// SPDX-License-Identifier: MIT
+// A tap at a point of view space, moved onto the ray through the centre of the texel that it falls into.
+struct crease_tap {
+    vec2 texel;
+    bool inside; // whether the texel is in the picture
+    vec3 point;
+};
+// SPDX-License-Identifier: MIT
+// Points in the hemisphere over the receiver, turned about the normal by a random angle per pixel:
+// stochastic-depth-ao 4.1. Directions are distributed by the cosine and distances evenly, so that the share of points
+// behind a surface at distance d is the cosine-weighted occlusion with a linear falloff, 1 - d / R.
+
+vec2 crease_noise(ivec2 pixel);
+vec3 crease_view_position(vec2 texel, float depth);
+vec2 crease_texel_at(vec3 position);
+
+struct crease_pattern {
+    vec3 tangent, bitangent; // view space, unit
+    vec2 direction;          // unit, in the tangent plane
+    float distance;          // in radii
+};
+
+crease_pattern crease_pattern_begin(crease_receiver receiver) {
+    vec2 noise = crease_noise(receiver.pixel);
+    vec3 normal = receiver.normal;
+    vec3 axis = abs(normal.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+    vec3 tangent = normalize(cross(axis, normal));
+    float angle = 6.28318531 * noise.x;
+    return crease_pattern(tangent, cross(normal, tangent), vec2(cos(angle), sin(angle)), noise.y);
+}
+
+int crease_direction_count() { return 1; }
+
+int crease_step_count() { return crease_hemisphere_points_count; }
+
+void crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) {}
+
+crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
+    const vec2 golden_angle = vec2(-0.73736888, 0.67549029);
+    pattern.direction = vec2(golden_angle.x * pattern.direction.x - golden_angle.y * pattern.direction.y,
+                             golden_angle.y * pattern.direction.x + golden_angle.x * pattern.direction.y);
+    pattern.distance = fract(pattern.distance + 0.75487767);
+    float share = (float(step) + 0.5) / float(crease_hemisphere_points_count);
+    vec2 sideways = pattern.direction * sqrt(share);
+    vec3 point = receiver.position + (crease_radius * pattern.distance) *
+        (pattern.tangent * sideways.x + pattern.bitangent * sideways.y + receiver.normal * sqrt(1.0 - share));
+    vec2 texel = floor(crease_texel_at(point)) + 0.5;
+    bool inside = point.z < 0.0 && all(greaterThan(texel, vec2(0.0))) && all(lessThan(texel, crease_resolution));
+    return crease_tap(texel, inside, crease_view_position(texel, -point.z));
+}
+// SPDX-License-Identifier: MIT
+// Range-checked points: stochastic-depth-ao, Algorithm 1.
+
+struct crease_estimate {
+    float occluded; // points
+    float points;
+};
+
+struct crease_contribution {
+    float occlusion;
+    float points;
+};
+
+crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_estimate(0.0, 0.0); }
+
+void crease_estimate_turn(inout crease_estimate estimate) {}
+
+crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
+    // A point that its texel moved out of the hemisphere says nothing; so a plane is unoccluded at every slant.
+    float height = dot(tap.point - receiver.position, receiver.normal);
+    if (!(height > crease_bias * crease_radius))
+        return crease_contribution(0.0, 0.0);
+    float apart = abs(receiver.position.z - position.z);
+    float in_range = smoothstep(0.0, 1.0, crease_radius / max(apart, 1e-20));
+    return crease_contribution(position.z >= tap.point.z ? in_range : 0.0, 1.0);
+}
+
+void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {
+    estimate.occluded += contribution.occlusion;
+    estimate.points += contribution.points;
+}
+
+float crease_estimate_occlusion(crease_estimate estimate) { return estimate.occluded / max(estimate.points, 1.0); }
+// SPDX-License-Identifier: MIT
+// The layers of a tap count as the one that occludes the most: stochastic-depth-ao 6.2, a-buffer-ssao III A.
+
+crease_layers crease_fetch_layers(vec2 texel);
+int crease_layer_count(crease_layers layers);
+float crease_layer_depth(crease_layers layers, int layer);
+vec3 crease_view_position(vec2 texel, float depth);
+crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position);
+
+crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap) {
+    crease_layers layers = crease_fetch_layers(tap.texel);
+    crease_contribution most = crease_weigh(
+        estimate, receiver, tap, crease_view_position(tap.texel, crease_layer_depth(layers, 0)));
+    for (int layer = 1; layer < crease_layer_count(layers); ++layer) {
+        crease_contribution other = crease_weigh(
+            estimate, receiver, tap, crease_view_position(tap.texel, crease_layer_depth(layers, layer)));
+        if (other.occlusion > most.occlusion)
+            most = other;
+    }
+    return most;
+}
+// SPDX-License-Identifier: MIT
+// Visibility alone.
+vec4 crease_encode_visibility(crease_result result) { return vec4(result.visibility); }
+// SPDX-License-Identifier: MIT
+// The loop of every technique: each tap of the sampler, each layer of the depth source, weighed by the estimator.
+
+float crease_depth_at(vec2 texel);
+vec3 crease_view_position(vec2 texel, float depth);
+vec3 crease_to_eye(vec3 position);
+mat2 crease_disk(vec3 position, vec3 to_eye);
+vec3 crease_normal_at(vec2 texel, vec3 position);
+crease_pattern crease_pattern_begin(crease_receiver receiver);
+int crease_direction_count();
+int crease_step_count();
+void crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
+crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
+crease_estimate crease_estimate_begin(crease_receiver receiver);
+void crease_estimate_turn(inout crease_estimate estimate);
+crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap);
+void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
+float crease_estimate_occlusion(crease_estimate estimate);
+
+crease_result crease_evaluate(ivec2 pixel) {
+    crease_receiver receiver;
+    receiver.pixel = pixel;
+    receiver.texel = crease_texel_of_pixel(pixel, crease_divisor);
+    float depth = crease_depth_at(receiver.texel);
+    if (!(depth > 0.0 && depth < crease_background))
+        return crease_result(1.0, crease_background);
+    receiver.position = crease_view_position(receiver.texel, depth);
+    receiver.to_eye = crease_to_eye(receiver.position);
+    receiver.disk = crease_disk(receiver.position, receiver.to_eye);
+    receiver.normal = crease_normal_at(receiver.texel, receiver.position);
+
+    crease_pattern pattern = crease_pattern_begin(receiver);
+    crease_estimate estimate = crease_estimate_begin(receiver);
+    for (int direction = 0; direction < crease_direction_count(); ++direction) {
+        crease_pattern_turn(pattern, receiver, direction);
+        crease_estimate_turn(estimate);
+        for (int step = 0; step < crease_step_count(); ++step) {
+            crease_tap tap = crease_pattern_tap(pattern, receiver, step);
+            if (tap.inside)
+                crease_estimate_add(estimate, crease_fold(estimate, receiver, tap));
+        }
+    }
+    float occlusion = crease_estimate_occlusion(estimate);
+    // Strength and exponent: stochastic-depth-ao 8.1.
+    return crease_result(pow(clamp(1.0 - occlusion * crease_strength, 0.0, 1.0), crease_exponent), depth);
+}
+// SPDX-License-Identifier: MIT
+crease_result crease_evaluate(ivec2 pixel);
+
+void main() { crease_output = crease_encode(crease_evaluate(ivec2(gl_FragCoord.xy))); }
