@@ -2,9 +2,9 @@
 #include "commands.hpp"
 
 #include "emit/emit.hpp"
-#include "emit/file.hpp"
 #include "frame/frame.hpp"
 #include "frame/sheet.hpp"
+#include "image/file.hpp"
 #include "measure/compare.hpp"
 #include "progress.hpp"
 #include "truth/truth.hpp"
@@ -44,7 +44,7 @@ void emit_both(const std::filesystem::path& directory, const char* recipe_text) 
 
 double total(const frame& made) {
     double milliseconds = 0;
-    for (const vulkan::timing& t : made.passes)
+    for (const vulkan::pass_time& t : made.passes)
         milliseconds += t.milliseconds;
     return milliseconds;
 }
@@ -97,7 +97,7 @@ void run(const demo_options& options) {
                    error.ssim);
     }
     write_sheet(options.directory / "sheet.png", cells, 2);
-    write_file(options.directory / "figures.json", figures.dump(2) + "\n");
+    write_atomically(options.directory / "figures.json", figures.dump(2) + "\n");
     fmt::print("pictures, GLSL and SPIR-V are in {}; begin with sheet.png\n", options.directory.string());
 }
 

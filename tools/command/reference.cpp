@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 
-#include "emit/file.hpp"
+#include "image/file.hpp"
 #include "progress.hpp"
 #include "scene_options.hpp"
 #include "truth/truth.hpp"
@@ -48,7 +48,7 @@ void run(const reference_options& options) {
         {"height", from.height},         {"near", from.near},    {"far", from.far},
         {"radius", from.ao_radius},      {"rays", options.rays}, {"seed", options.seed},
         {"triangles", scene.triangles()}};
-    write_file(options.directory / "meta.json", meta.dump(2) + "\n");
+    write_atomically(options.directory / "meta.json", meta.dump(2) + "\n");
 }
 
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 
-#include "emit/file.hpp"
 #include "frame/frame.hpp"
+#include "image/file.hpp"
 #include "scene_options.hpp"
 
 #include <fmt/format.h>
@@ -40,7 +40,7 @@ nlohmann::ordered_json describe(const render_options& options, const camera& fro
     for (const choice& c : complete(chosen.choices()))
         for (const setting& s : c.what->settings)
             settings[std::string(s.name)] = used.*s.field;
-    for (const vulkan::timing& t : made.passes)
+    for (const vulkan::pass_time& t : made.passes)
         passes.push_back({{"name", t.pass}, {"milliseconds", t.milliseconds}});
     return {{"scene", options.scene.scene},
             {"camera", from.name},
@@ -77,8 +77,8 @@ void run(const render_options& options) {
                                     {"normal.Y", inputs.normal, 1},
                                     {"normal.Z", inputs.normal, 2}};
     write_exr(options.directory / "frame.exr", channels);
-    write_file(options.directory / "meta.json",
-               describe(options, from, chosen, used, made, std::string(device.name())).dump(2) + "\n");
+    write_atomically(options.directory / "meta.json",
+                     describe(options, from, chosen, used, made, std::string(device.name())).dump(2) + "\n");
 }
 
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "emit.hpp"
 
-#include "file.hpp"
+#include "image/file.hpp"
 
 #include <crease/spirv.hpp>
 
@@ -127,7 +127,7 @@ std::vector<std::filesystem::path> emit(const emit_options& options) {
     std::vector<std::filesystem::path> written;
     const auto write = [&](const std::string& name, std::string_view bytes) {
         written.push_back(options.directory / name);
-        write_file(written.back(), bytes);
+        write_atomically(written.back(), bytes);
     };
     const auto write_module = [&](const std::string& stem, const spirv::words& module) {
         if (options.format == emit_format::spirv)

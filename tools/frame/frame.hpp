@@ -28,7 +28,7 @@ gbuffer rasterise(vulkan::device& device, const mesh& scene, const camera& from)
 /// A picture of an effect.
 struct frame {
     image visibility;
-    std::vector<vulkan::timing> passes; ///< medians over the repeats
+    std::vector<vulkan::pass_time> passes; ///< medians over the repeats
 };
 
 struct frame_options {

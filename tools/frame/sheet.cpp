@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/sheet.hpp"
 
-#include "emit/file.hpp"
+#include "image/file.hpp"
 
 #include <cairo.h>
 #include <fmt/format.h>
@@ -88,7 +88,7 @@ void write_sheet(const std::filesystem::path& path, const std::vector<sheet_cell
     std::string bytes;
     if (cairo_surface_write_to_png_stream(sheet.get(), append, &bytes) != CAIRO_STATUS_SUCCESS)
         throw std::runtime_error(fmt::format("cannot encode the contact sheet '{}'", path.string()));
-    write_file(path, bytes);
+    write_atomically(path, bytes);
 }
 
 }

@@ -92,4 +92,11 @@ void write_atomically(const fs::path& path, std::string_view content) {
     file.become_target();
 }
 
+void make_directory(const std::filesystem::path& path) {
+    std::error_code failed;
+    std::filesystem::create_directories(path, failed);
+    if (failed)
+        throw file_error("cannot make the directory '" + path.string() + "': " + failed.message());
+}
+
 }

@@ -23,4 +23,8 @@ std::string read_file(const std::filesystem::path& path);
 /// regular file
 void write_atomically(const std::filesystem::path& path, std::string_view content);
 
+/// Makes a directory and those above it; one that is there already will do.
+/// @throws file_error
+void make_directory(const std::filesystem::path& path);
+
 }

@@ -84,7 +84,7 @@ public:
         on.check_messages();
     }
 
-    /// Clears the images and draws: depth to `clear_depth`, colours to 0.
+    /// Clears the images and draws: depth to the background, colours to 0.
     /// @param push_constants  as many bytes as the options say
     /// @throws error  where they are not as many
     void draw(const mesh& triangles, std::span<const std::byte> push_constants = {}) {
