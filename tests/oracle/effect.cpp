@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "effect.hpp"
 
-#include <crease/sampler/poisson_disk.hpp>
-
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <string>
 
 namespace oracle {
 
@@ -30,7 +26,7 @@ void axes(const picture& p, const receiver& r, glm::dvec3& across, glm::dvec3& u
 }
 
 tap texel_of(glm::dvec2 coordinates) {
-    return {static_cast<int>(std::floor(coordinates.x)), static_cast<int>(std::floor(coordinates.y)), {}};
+    return {static_cast<int>(std::floor(coordinates.x)), static_cast<int>(std::floor(coordinates.y)), {}, {}};
 }
 
 double falloff(double distance, double radius) {
@@ -81,12 +77,13 @@ std::vector<std::vector<tap>> directions(const picture& p, const receiver& r, co
     for (int i = 0; i < count; ++i) {
         const double angle = two_pi / count * (random.x + i + 1);
         offset = std::fmod(offset + 0.61803399, 1.0);
-        const glm::dvec2 whole =
-            texel_offset(p, r, s.radius * (std::cos(angle) * across + std::sin(angle) * up));
+        const glm::dvec3 azimuth = std::cos(angle) * across + std::sin(angle) * up;
+        const glm::dvec2 whole = texel_offset(p, r, s.radius * azimuth);
         std::vector<tap> along;
         for (int j = 0; j < steps; ++j) {
             const glm::dvec2 shift = whole * ((j + offset) / (steps + 1)) + glm::normalize(whole);
-            const tap t = texel_of(glm::dvec2(r.x + 0.5, r.y + 0.5) + shift);
+            tap t = texel_of(glm::dvec2(r.x + 0.5, r.y + 0.5) + shift);
+            t.azimuth = azimuth;
             if (p.contains(t.x, t.y))
                 along.push_back(t);
         }
@@ -95,35 +92,18 @@ std::vector<std::vector<tap>> directions(const picture& p, const receiver& r, co
     return all;
 }
 
-const std::vector<glm::dvec2>& poisson_points() {
-    static const std::vector<glm::dvec2> points = [] {
-        std::vector<glm::dvec2> read;
-        const std::string text(crease::poisson_disk_glsl.text);
-        for (std::size_t at = text.find("vec2[64]("); (at = text.find("vec2(", at)) != std::string::npos;
-             ++at) {
-            char* end = nullptr;
-            const double x = std::strtod(text.c_str() + at + 5, &end);
-            const double y = std::strtod(end + 1, nullptr);
-            if (read.size() < 64)
-                read.emplace_back(x, y);
-        }
-        return read;
-    }();
-    return points;
-}
-
 std::vector<std::vector<tap>> poisson_disk(const picture& p, const receiver& r, const settings& s,
                                            int count) {
-    const double angle = two_pi * noise(r.pixel_x, r.pixel_y, s.frame).x;
+    const glm::dvec2 random = noise(r.pixel_x, r.pixel_y, s.frame);
+    const double golden_angle = glm::pi<double>() * (3 - std::sqrt(5.0));
     glm::dvec3 across, up;
     axes(p, r, across, up);
     std::vector<tap> taps;
     for (int i = 0; i < count; ++i) {
-        const glm::dvec2 q = poisson_points()[static_cast<std::size_t>(i)];
-        const glm::dvec2 turned(std::cos(angle) * q.x - std::sin(angle) * q.y,
-                                std::sin(angle) * q.x + std::cos(angle) * q.y);
-        const tap t = texel_of(glm::dvec2(r.x + 0.5, r.y + 0.5) +
-                               texel_offset(p, r, s.radius * (turned.x * across + turned.y * up)));
+        const double angle = two_pi * random.x + golden_angle * (i + 1),
+                     distance = std::sqrt((i + random.y) / count);
+        const glm::dvec3 offset = s.radius * distance * (std::cos(angle) * across + std::sin(angle) * up);
+        const tap t = texel_of(glm::dvec2(r.x + 0.5, r.y + 0.5) + texel_offset(p, r, offset));
         if (p.contains(t.x, t.y) && !(t.x == r.x && t.y == r.y))
             taps.push_back(t);
     }
@@ -181,11 +161,13 @@ double hbao(const picture& p, const receiver& r, const settings& s,
         for (const tap& t : direction) {
             const glm::dvec3 v = p.position(t.x, t.y) - r.position;
             const double length = glm::length(v);
-            const glm::dvec3 sideways = v - glm::dot(v, r.to_eye) * r.to_eye;
-            // The tangent over `sideways`: sideways + rise * to_eye, at right angles to the normal.
-            const double rise = -glm::dot(sideways, r.normal) / std::max(glm::dot(r.normal, r.to_eye), 1e-3);
-            const double tangent = std::atan2(rise, glm::length(sideways));
-            const double phi = std::asin(std::clamp(glm::dot(v, r.to_eye) / length, -1.0, 1.0));
+            // The slice of the marched direction and the eye: the tangent in it, and the normal's part in it.
+            const double facing = std::max(glm::dot(r.normal, r.to_eye), 1e-3);
+            const double tangent = std::atan2(-glm::dot(r.normal, t.azimuth), facing);
+            const double part = std::hypot(glm::dot(r.normal, t.azimuth), facing);
+            const double over_tangent =
+                std::asin(std::clamp(glm::dot(v, r.normal) / (length * part), -1.0, 1.0));
+            const double phi = tangent + over_tangent;
             const double biased = std::min(tangent + s.bias, glm::half_pi<double>());
             const double horizon = std::max(horizon_rise, std::sin(biased) - std::sin(tangent));
             const double above = std::sin(phi) - std::sin(tangent);

@@ -22,6 +22,7 @@ glm::dvec2 noise(int x, int y, std::uint32_t frame);
 struct tap {
     int x, y;
     glm::dvec3 point;
+    glm::dvec3 azimuth{0}; ///< of ordered taps: the marched direction, unit, across the direction to the eye
 };
 
 /// The receiver of a pixel.
@@ -48,10 +49,6 @@ double hbao(const picture& p, const receiver& r, const settings& s,
             const std::vector<std::vector<tap>>& taps);
 double hbao_plus(const picture& p, const receiver& r, const settings& s,
                  const std::vector<std::vector<tap>>& taps);
-
-/// The points of the Poisson disk, read out of the shader's own table: the oracle checks what is made of
-/// them.
-const std::vector<glm::dvec2>& poisson_points();
 
 /// A picture of visibilities, with the linear depth that filters read.
 struct visibility_image {

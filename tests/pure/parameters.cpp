@@ -174,8 +174,7 @@ TEST_CASE("a cleared texel is background") {
             check_cleared(near, far);
 }
 
-TEST_CASE("a cleared texel is background, also where the planes are a million apart" *
-          doctest::should_fail()) {
+TEST_CASE("a cleared texel is background, also where the planes are a million apart") {
     for (const float near : {0.001f, 0.01f})
         for (const float far : {1000.0f, 10000.0f})
             check_cleared(near, far);

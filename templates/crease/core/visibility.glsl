@@ -7,15 +7,16 @@ R"glsl("
 float crease_depth_at(vec2 texel);
 vec3 crease_view_position(vec2 texel, float depth);
 vec3 crease_to_eye(vec3 position);
-mat2 crease_disk(vec3 position, vec3 to_eye);
+void crease_axes(vec3 to_eye, out vec3 across, out vec3 up);
+mat2 crease_disk(vec3 position, vec3 across, vec3 up);
 vec3 crease_normal_at(vec2 texel, vec3 position);
 crease_pattern crease_pattern_begin(crease_receiver receiver);
 int crease_direction_count();
 int crease_step_count();
-void crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
+vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
 crease_estimate crease_estimate_begin(crease_receiver receiver);
-void crease_estimate_turn(inout crease_estimate estimate);
+void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);
 crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap);
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
 float crease_estimate_occlusion(crease_estimate estimate);
@@ -29,14 +30,14 @@ crease_result crease_evaluate(ivec2 pixel) {
         return crease_result(1.0, crease_background);
     receiver.position = crease_view_position(receiver.texel, depth);
     receiver.to_eye = crease_to_eye(receiver.position);
-    receiver.disk = crease_disk(receiver.position, receiver.to_eye);
+    crease_axes(receiver.to_eye, receiver.across, receiver.up);
+    receiver.disk = crease_disk(receiver.position, receiver.across, receiver.up);
     receiver.normal = crease_normal_at(receiver.texel, receiver.position);
 
     crease_pattern pattern = crease_pattern_begin(receiver);
     crease_estimate estimate = crease_estimate_begin(receiver);
     for (int direction = 0; direction < crease_direction_count(); ++direction) {
-        crease_pattern_turn(pattern, receiver, direction);
-        crease_estimate_turn(estimate);
+        crease_estimate_turn(estimate, crease_pattern_turn(pattern, receiver, direction));
         for (int step = 0; step < crease_step_count(); ++step) {
             crease_tap tap = crease_pattern_tap(pattern, receiver, step);
             if (tap.inside)

@@ -4,17 +4,20 @@ R"glsl("
 // SPDX-License-Identifier: MIT
 // Horizons: stochastic-depth-ao, Algorithm 2, with the threshold of 4.4.
 //
-// The Z axis of the paper's figure 4.5 is the direction to the eye, and the tangent is taken at the azimuth of the tap
-// itself, which its texel moves off the marched direction: so a plane is unoccluded at every slant.
+// The Z axis of the paper's figure 4.5 is the direction to the eye. The angle of a tap is the tangent's plus its angle
+// over the tangent plane, which is measured at the tap's own azimuth, as its texel moves it off the marched direction:
+// so a plane is unoccluded at every slant.
 
 int crease_direction_count();
 
 struct crease_estimate {
-    float occlusion; // summed over the directions
-    float horizon;   // of this direction: sine of its angle less the sine of the tangent's
-    float cos_bias;
-    float sin_bias;
-    float slope;     // 1 / cosine of the angle between the normal and the direction to the eye
+    float occlusion;   // summed over the directions
+    float horizon;     // of this direction: sine of its angle less the sine of the tangent's
+    float sin_tangent; // of this direction
+    float cos_tangent;
+    float steepness;   // 1 / length of the normal's part in the plane of this direction and the eye
+    vec2 lean;         // slope of the tangent plane along the axes of the disk
+    float facing;      // cosine of the angle between the normal and the direction to the eye
 };
 
 struct crease_contribution {
@@ -24,32 +27,32 @@ struct crease_contribution {
 
 crease_estimate crease_estimate_begin(crease_receiver receiver) {
     float facing = max(dot(receiver.normal, receiver.to_eye), 1e-3);
-    return crease_estimate(0.0, 0.0, cos(crease_bias), sin(crease_bias), 1.0 / facing);
+    vec2 lean = -vec2(dot(receiver.normal, receiver.across), dot(receiver.normal, receiver.up)) / facing;
+    return crease_estimate(0.0, 0.0, 0.0, 0.0, 0.0, lean, facing);
 }
 
-void crease_estimate_turn(inout crease_estimate estimate) { estimate.horizon = 0.0; }
+void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {
+    float slope = dot(estimate.lean, direction);
+    estimate.cos_tangent = inversesqrt(1.0 + slope * slope);
+    estimate.sin_tangent = slope * estimate.cos_tangent;
+    estimate.steepness = estimate.cos_tangent / estimate.facing;
+    // The tangent's angle plus the bias, at most a right angle.
+    float cos_bias = cos(crease_bias), sin_bias = sin(crease_bias);
+    float sin_start = estimate.cos_tangent * cos_bias < estimate.sin_tangent * sin_bias
+        ? 1.0
+        : estimate.sin_tangent * cos_bias + estimate.cos_tangent * sin_bias;
+    estimate.horizon = sin_start - estimate.sin_tangent;
+}
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     vec3 to_tap = position - receiver.position;
     float squared = dot(to_tap, to_tap);
-    float height = dot(to_tap, receiver.normal);   // over the tangent plane
-    float towards_eye = dot(to_tap, receiver.to_eye);
-    float across = squared - towards_eye * towards_eye;
-    float tangent_rise = towards_eye - height * estimate.slope;
-    float inverse_length = inversesqrt(squared);
-    float inverse_tangent = inversesqrt(across + tangent_rise * tangent_rise);
-    float sin_tangent = tangent_rise * inverse_tangent;
-    float cos_tangent = sqrt(max(across, 0.0)) * inverse_tangent;
-    // The tangent's angle plus the bias, at most a right angle.
-    float sin_biased = cos_tangent * estimate.cos_bias < sin_tangent * estimate.sin_bias
-        ? 1.0
-        : sin_tangent * estimate.cos_bias + cos_tangent * estimate.sin_bias;
-    float horizon = max(estimate.horizon, sin_biased - sin_tangent);
-    float rise = towards_eye * inverse_length - sin_tangent;
-    bool counts = rise > horizon && squared < crease_radius * crease_radius &&
-                  height * inverse_length > crease_threshold;
+    float cosine = dot(to_tap, receiver.normal) * inversesqrt(squared);
+    float sine = min(cosine * estimate.steepness, 1.0); // of the angle over the tangent plane
+    float rise = estimate.cos_tangent * sine + estimate.sin_tangent * (sqrt(max(1.0 - sine * sine, 0.0)) - 1.0);
     float falloff = 1.0 - squared / (crease_radius * crease_radius);
-    return counts ? crease_contribution(falloff * (rise - horizon), rise)
+    bool counts = rise > estimate.horizon && falloff > 0.0 && cosine > crease_threshold;
+    return counts ? crease_contribution(falloff * (rise - estimate.horizon), rise)
                   : crease_contribution(0.0, estimate.horizon);
 }
 

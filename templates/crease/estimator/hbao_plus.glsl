@@ -15,14 +15,14 @@ struct crease_contribution {
 
 crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_estimate(0.0, 0.0); }
 
-void crease_estimate_turn(inout crease_estimate estimate) {}
+void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     vec3 to_tap = position - receiver.position;
     float squared = dot(to_tap, to_tap);
     float rise = dot(to_tap, receiver.normal) * inversesqrt(squared) - crease_bias;
     float falloff = 1.0 - squared / (crease_radius * crease_radius);
-    return crease_contribution(squared < crease_radius * crease_radius ? falloff * max(rise, 0.0) : 0.0);
+    return crease_contribution(falloff > 0.0 ? falloff * max(rise, 0.0) : 0.0);
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {

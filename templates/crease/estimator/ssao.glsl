@@ -16,7 +16,7 @@ struct crease_contribution {
 
 crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_estimate(0.0, 0.0); }
 
-void crease_estimate_turn(inout crease_estimate estimate) {}
+void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     // A point that its texel moved out of the hemisphere says nothing; so a plane is unoccluded at every slant.

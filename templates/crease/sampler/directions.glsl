@@ -26,7 +26,7 @@ int crease_direction_count() { return crease_directions_count; }
 
 int crease_step_count() { return crease_directions_steps; }
 
-void crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) {
+vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) {
     vec2 turn = vec2(cos(crease_directions_angle()), sin(crease_directions_angle()));
     pattern.direction = vec2(turn.x * pattern.direction.x - turn.y * pattern.direction.y,
                              turn.y * pattern.direction.x + turn.x * pattern.direction.y);
@@ -34,11 +34,12 @@ void crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
     pattern.stride = receiver.disk * pattern.direction / float(crease_directions_steps + 1);
     // One texel further, so that no tap falls on the receiver itself.
     pattern.first = receiver.texel + pattern.stride * pattern.offset + normalize(pattern.stride);
+    return pattern.direction;
 }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
     vec2 texel = floor(pattern.first + pattern.stride * float(step)) + 0.5;
-    return crease_tap(texel, all(greaterThan(texel, vec2(0.0))) && all(lessThan(texel, crease_resolution)));
+    return crease_tap(texel, crease_inside(texel));
 }
 #ifdef __cplusplus
 ")glsl"

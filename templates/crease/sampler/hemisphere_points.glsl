@@ -29,7 +29,7 @@ int crease_direction_count() { return 1; }
 
 int crease_step_count() { return crease_hemisphere_points_count; }
 
-void crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) {}
+vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
     const vec2 golden_angle = vec2(-0.73736888, 0.67549029);
@@ -41,8 +41,7 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     vec3 point = receiver.position + (crease_radius * pattern.distance) *
         (pattern.tangent * sideways.x + pattern.bitangent * sideways.y + receiver.normal * sqrt(1.0 - share));
     vec2 texel = floor(crease_texel_at(point)) + 0.5;
-    bool inside = point.z < 0.0 && all(greaterThan(texel, vec2(0.0))) && all(lessThan(texel, crease_resolution));
-    return crease_tap(texel, inside, crease_view_position(texel, -point.z));
+    return crease_tap(texel, point.z < 0.0 && crease_inside(texel), crease_view_position(texel, -point.z));
 }
 #ifdef __cplusplus
 ")glsl"

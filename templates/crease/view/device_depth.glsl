@@ -7,8 +7,7 @@ R"glsl("
 float crease_linear_depth(float device);
 
 float crease_depth_at(vec2 texel) {
-    float depth = crease_linear_depth(textureLod(crease_depth, texel * crease_texel_size, 0.0).x);
-    return depth < crease_far_depth ? depth : crease_background; // the far plane is no occluder, nor is NaN
+    return crease_linear_depth(textureLod(crease_depth, texel * crease_texel_size, 0.0).x);
 }
 #ifdef __cplusplus
 ")glsl"

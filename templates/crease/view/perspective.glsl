@@ -5,7 +5,8 @@ R"glsl("
 // A perspective projection, centred or not; depth standard, reversed or infinite: stochastic-depth-ao 4.4.
 
 float crease_linear_depth(float device) {
-    return 1.0 / max(device * crease_depth_unpack.x + crease_depth_unpack.y, 1e-16);
+    float inverse = device * crease_depth_unpack.x + crease_depth_unpack.y;
+    return inverse * crease_far_depth > 1.0 ? 1.0 / inverse : crease_background; // the far plane occludes nothing
 }
 
 vec3 crease_view_position(vec2 texel, float depth) {
@@ -18,10 +19,13 @@ vec2 crease_texel_at(vec3 position) {
 
 vec3 crease_to_eye(vec3 position) { return -normalize(position); }
 
+void crease_axes(vec3 to_eye, out vec3 across, out vec3 up) {
+    across = normalize(vec3(to_eye.z, 0.0, -to_eye.x));
+    up = cross(to_eye, across);
+}
+
 // Derivative of the projection at `position` along two axes that face the eye, times the radius.
-mat2 crease_disk(vec3 position, vec3 to_eye) {
-    vec3 across = normalize(vec3(to_eye.z, 0.0, -to_eye.x));
-    vec3 up = cross(to_eye, across);
+mat2 crease_disk(vec3 position, vec3 across, vec3 up) {
     vec2 ray = position.xy / -position.z;
     vec2 scale = crease_radius / (-position.z * crease_view_from_texel.xy);
     return mat2((across.xy + ray * across.z) * scale, (up.xy + ray * up.z) * scale);

@@ -1,16 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include <crease/crease.hpp>
 
-#include "text.hpp"
-
 #include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <vector>
 
 static_assert(crease::offers<crease::poisson_disk<>, crease::screen_taps>);
 static_assert(!crease::offers<crease::poisson_disk<>, crease::ordered_taps>);
 
-TEST_CASE("poisson_disk has a point for each tap that it may be asked for") {
-    using effect = crease::effect<crease::poisson_disk<64>, crease::single_layer, crease::hbao_plus>;
-    CHECK(contains(effect::source<0>, "const int crease_poisson_disk_count = 64;\n"));
-    CHECK(crease::poisson_disk_part::takes[0].most == 64);
-    CHECK(contains(effect::source<0>, "crease_poisson_disk_points[64]"));
+TEST_CASE("the points of poisson_disk keep apart, for every count") {
+    for (int count : {2, 5, 16, 64, 256})
+        for (double offset : {0.0, 0.5, 0.99}) {
+            std::vector<std::complex<double>> points;
+            for (int i = 0; i < count; ++i)
+                points.push_back(std::polar(std::sqrt((i + offset) / count), 2.39996323 * (i + 1)));
+            double least = 9;
+            for (std::size_t i = 0; i < points.size(); ++i)
+                for (std::size_t j = 0; j < i; ++j)
+                    least = std::min(least, std::abs(points[i] - points[j]));
+            CAPTURE(count);
+            CAPTURE(offset);
+            CHECK(least * std::sqrt(count) > 0.99);
+        }
 }
