@@ -76,7 +76,8 @@ constexpr bool set_projection(parameters& p, const float (&matrix)[16], unsigned
         offset = (m14 + b / a) / m10;
     }
     // The far plane is the end of the device range with the greater depth; 1/depth <= 0 there means infinity.
-    const double at_zero = static_cast<float>(offset), at_one = static_cast<float>(scale) + static_cast<float>(offset);
+    const double at_zero = static_cast<float>(offset),
+                 at_one = static_cast<float>(scale) + static_cast<float>(offset);
     double far_depth = 1e15;
     if (perspective) {
         const double least = at_zero < at_one ? at_zero : at_one;

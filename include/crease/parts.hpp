@@ -2,7 +2,8 @@
 #pragma once
 
 // The index of all parts. To add one: its GLSL in templates/crease/<role>/<name>.glsl, its struct in
-// include/crease/<role>/<name>.hpp, one include and one line here, and its tests in tests/pure/<role>/<name>.cpp.
+// include/crease/<role>/<name>.hpp, one include and one line here, and its tests in
+// tests/pure/<role>/<name>.cpp.
 
 #include <crease/depth/single_layer.hpp>
 #include <crease/dialect/opengl.hpp>

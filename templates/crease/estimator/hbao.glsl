@@ -18,6 +18,8 @@ struct crease_estimate {
     float steepness;   // 1 / length of the normal's part in the plane of this direction and the eye
     vec2 lean;         // slope of the tangent plane along the axes of the disk
     float facing;      // cosine of the angle between the normal and the direction to the eye
+    vec2 bias;         // cosine and sine of the bias
+    float reach;       // 1 / square of the radius
 };
 
 struct crease_contribution {
@@ -28,7 +30,8 @@ struct crease_contribution {
 crease_estimate crease_estimate_begin(crease_receiver receiver) {
     float facing = max(dot(receiver.normal, receiver.to_eye), 1e-3);
     vec2 lean = -vec2(dot(receiver.normal, receiver.across), dot(receiver.normal, receiver.up)) / facing;
-    return crease_estimate(0.0, 0.0, 0.0, 0.0, 0.0, lean, facing);
+    return crease_estimate(0.0, 0.0, 0.0, 0.0, 0.0, lean, facing, vec2(cos(crease_bias), sin(crease_bias)),
+                           1.0 / (crease_radius * crease_radius));
 }
 
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {
@@ -37,10 +40,9 @@ void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {
     estimate.sin_tangent = slope * estimate.cos_tangent;
     estimate.steepness = estimate.cos_tangent / estimate.facing;
     // The tangent's angle plus the bias, at most a right angle.
-    float cos_bias = cos(crease_bias), sin_bias = sin(crease_bias);
-    float sin_start = estimate.cos_tangent * cos_bias < estimate.sin_tangent * sin_bias
+    float sin_start = estimate.cos_tangent * estimate.bias.x < estimate.sin_tangent * estimate.bias.y
         ? 1.0
-        : estimate.sin_tangent * cos_bias + estimate.cos_tangent * sin_bias;
+        : estimate.sin_tangent * estimate.bias.x + estimate.cos_tangent * estimate.bias.y;
     estimate.horizon = sin_start - estimate.sin_tangent;
 }
 
@@ -50,7 +52,7 @@ crease_contribution crease_weigh(crease_estimate estimate, crease_receiver recei
     float cosine = dot(to_tap, receiver.normal) * inversesqrt(squared);
     float sine = min(cosine * estimate.steepness, 1.0); // of the angle over the tangent plane
     float rise = estimate.cos_tangent * sine + estimate.sin_tangent * (sqrt(max(1.0 - sine * sine, 0.0)) - 1.0);
-    float falloff = 1.0 - squared / (crease_radius * crease_radius);
+    float falloff = 1.0 - squared * estimate.reach;
     bool counts = rise > estimate.horizon && falloff > 0.0 && cosine > crease_threshold;
     return counts ? crease_contribution(falloff * (rise - estimate.horizon), rise)
                   : crease_contribution(0.0, estimate.horizon);

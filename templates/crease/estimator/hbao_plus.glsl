@@ -7,13 +7,16 @@ R"glsl("
 struct crease_estimate {
     float occlusion; // summed over the taps
     float taps;
+    float reach;     // 1 / square of the radius
 };
 
 struct crease_contribution {
     float occlusion;
 };
 
-crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_estimate(0.0, 0.0); }
+crease_estimate crease_estimate_begin(crease_receiver receiver) {
+    return crease_estimate(0.0, 0.0, 1.0 / (crease_radius * crease_radius));
+}
 
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 
@@ -21,7 +24,7 @@ crease_contribution crease_weigh(crease_estimate estimate, crease_receiver recei
     vec3 to_tap = position - receiver.position;
     float squared = dot(to_tap, to_tap);
     float rise = dot(to_tap, receiver.normal) * inversesqrt(squared) - crease_bias;
-    float falloff = 1.0 - squared / (crease_radius * crease_radius);
+    float falloff = 1.0 - squared * estimate.reach;
     return crease_contribution(falloff > 0.0 ? falloff * max(rise, 0.0) : 0.0);
 }
 

@@ -31,7 +31,8 @@ struct crease_receiver {
     vec3 position; // view space
     vec3 normal;   // view space, unit
     vec3 to_eye;   // view space, unit
-    mat2 disk;     // offsets on the disk of the AO radius that faces the eye, in units of the radius, to texels
+    vec3 across, up; // view space, unit: the axes of the disk that faces the eye
+    mat2 disk;       // offsets on that disk, in units of the AO radius, to texels
 };
 
 // What a pass computes for a pixel.
@@ -46,6 +47,12 @@ const float crease_background = 1e15;
 // Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
 ivec2 crease_size(int divisor) { return (ivec2(crease_resolution) + divisor - 1) / divisor; }
 
+// Whether texel coordinates lie in the picture; false where they are NaN.
+bool crease_inside(vec2 texel) {
+    vec2 middle = 0.5 * crease_resolution;
+    return all(lessThan(abs(texel - middle), middle));
+}
+
 // The texel of the picture that stands for a pixel of a picture that is smaller by `divisor`.
 vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
     return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_resolution) - 1)) + 0.5;
@@ -54,7 +61,8 @@ vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
 // A perspective projection, centred or not; depth standard, reversed or infinite: stochastic-depth-ao 4.4.
 
 float crease_linear_depth(float device) {
-    return 1.0 / max(device * crease_depth_unpack.x + crease_depth_unpack.y, 1e-16);
+    float inverse = device * crease_depth_unpack.x + crease_depth_unpack.y;
+    return inverse * crease_far_depth > 1.0 ? 1.0 / inverse : crease_background; // the far plane occludes nothing
 }
 
 vec3 crease_view_position(vec2 texel, float depth) {
@@ -67,10 +75,13 @@ vec2 crease_texel_at(vec3 position) {
 
 vec3 crease_to_eye(vec3 position) { return -normalize(position); }
 
+void crease_axes(vec3 to_eye, out vec3 across, out vec3 up) {
+    across = normalize(vec3(to_eye.z, 0.0, -to_eye.x));
+    up = cross(to_eye, across);
+}
+
 // Derivative of the projection at `position` along two axes that face the eye, times the radius.
-mat2 crease_disk(vec3 position, vec3 to_eye) {
-    vec3 across = normalize(vec3(to_eye.z, 0.0, -to_eye.x));
-    vec3 up = cross(to_eye, across);
+mat2 crease_disk(vec3 position, vec3 across, vec3 up) {
     vec2 ray = position.xy / -position.z;
     vec2 scale = crease_radius / (-position.z * crease_view_from_texel.xy);
     return mat2((across.xy + ray * across.z) * scale, (up.xy + ray * up.z) * scale);
@@ -81,8 +92,7 @@ mat2 crease_disk(vec3 position, vec3 to_eye) {
 float crease_linear_depth(float device);
 
 float crease_depth_at(vec2 texel) {
-    float depth = crease_linear_depth(textureLod(crease_depth, texel * crease_texel_size, 0.0).x);
-    return depth < crease_far_depth ? depth : crease_background; // the far plane is no occluder, nor is NaN
+    return crease_linear_depth(textureLod(crease_depth, texel * crease_texel_size, 0.0).x);
 }
 // SPDX-License-Identifier: MIT
 // One layer of depth, that of the receivers.
@@ -153,7 +163,7 @@ int crease_direction_count() { return crease_directions_count; }
 
 int crease_step_count() { return crease_directions_steps; }
 
-void crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) {
+vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) {
     vec2 turn = vec2(cos(crease_directions_angle()), sin(crease_directions_angle()));
     pattern.direction = vec2(turn.x * pattern.direction.x - turn.y * pattern.direction.y,
                              turn.y * pattern.direction.x + turn.x * pattern.direction.y);
@@ -161,26 +171,32 @@ void crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
     pattern.stride = receiver.disk * pattern.direction / float(crease_directions_steps + 1);
     // One texel further, so that no tap falls on the receiver itself.
     pattern.first = receiver.texel + pattern.stride * pattern.offset + normalize(pattern.stride);
+    return pattern.direction;
 }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
     vec2 texel = floor(pattern.first + pattern.stride * float(step)) + 0.5;
-    return crease_tap(texel, all(greaterThan(texel, vec2(0.0))) && all(lessThan(texel, crease_resolution)));
+    return crease_tap(texel, crease_inside(texel));
 }
 // SPDX-License-Identifier: MIT
 // Horizons: stochastic-depth-ao, Algorithm 2, with the threshold of 4.4.
 //
-// The Z axis of the paper's figure 4.5 is the direction to the eye, and the tangent is taken at the azimuth of the tap
-// itself, which its texel moves off the marched direction: so a plane is unoccluded at every slant.
+// The Z axis of the paper's figure 4.5 is the direction to the eye. The angle of a tap is the tangent's plus its angle
+// over the tangent plane, which is measured at the tap's own azimuth, as its texel moves it off the marched direction:
+// so a plane is unoccluded at every slant.
 
 int crease_direction_count();
 
 struct crease_estimate {
-    float occlusion; // summed over the directions
-    float horizon;   // of this direction: sine of its angle less the sine of the tangent's
-    float cos_bias;
-    float sin_bias;
-    float slope;     // 1 / cosine of the angle between the normal and the direction to the eye
+    float occlusion;   // summed over the directions
+    float horizon;     // of this direction: sine of its angle less the sine of the tangent's
+    float sin_tangent; // of this direction
+    float cos_tangent;
+    float steepness;   // 1 / length of the normal's part in the plane of this direction and the eye
+    vec2 lean;         // slope of the tangent plane along the axes of the disk
+    float facing;      // cosine of the angle between the normal and the direction to the eye
+    vec2 bias;         // cosine and sine of the bias
+    float reach;       // 1 / square of the radius
 };
 
 struct crease_contribution {
@@ -190,32 +206,32 @@ struct crease_contribution {
 
 crease_estimate crease_estimate_begin(crease_receiver receiver) {
     float facing = max(dot(receiver.normal, receiver.to_eye), 1e-3);
-    return crease_estimate(0.0, 0.0, cos(crease_bias), sin(crease_bias), 1.0 / facing);
+    vec2 lean = -vec2(dot(receiver.normal, receiver.across), dot(receiver.normal, receiver.up)) / facing;
+    return crease_estimate(0.0, 0.0, 0.0, 0.0, 0.0, lean, facing, vec2(cos(crease_bias), sin(crease_bias)),
+                           1.0 / (crease_radius * crease_radius));
 }
 
-void crease_estimate_turn(inout crease_estimate estimate) { estimate.horizon = 0.0; }
+void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {
+    float slope = dot(estimate.lean, direction);
+    estimate.cos_tangent = inversesqrt(1.0 + slope * slope);
+    estimate.sin_tangent = slope * estimate.cos_tangent;
+    estimate.steepness = estimate.cos_tangent / estimate.facing;
+    // The tangent's angle plus the bias, at most a right angle.
+    float sin_start = estimate.cos_tangent * estimate.bias.x < estimate.sin_tangent * estimate.bias.y
+        ? 1.0
+        : estimate.sin_tangent * estimate.bias.x + estimate.cos_tangent * estimate.bias.y;
+    estimate.horizon = sin_start - estimate.sin_tangent;
+}
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     vec3 to_tap = position - receiver.position;
     float squared = dot(to_tap, to_tap);
-    float height = dot(to_tap, receiver.normal);   // over the tangent plane
-    float towards_eye = dot(to_tap, receiver.to_eye);
-    float across = squared - towards_eye * towards_eye;
-    float tangent_rise = towards_eye - height * estimate.slope;
-    float inverse_length = inversesqrt(squared);
-    float inverse_tangent = inversesqrt(across + tangent_rise * tangent_rise);
-    float sin_tangent = tangent_rise * inverse_tangent;
-    float cos_tangent = sqrt(max(across, 0.0)) * inverse_tangent;
-    // The tangent's angle plus the bias, at most a right angle.
-    float sin_biased = cos_tangent * estimate.cos_bias < sin_tangent * estimate.sin_bias
-        ? 1.0
-        : sin_tangent * estimate.cos_bias + cos_tangent * estimate.sin_bias;
-    float horizon = max(estimate.horizon, sin_biased - sin_tangent);
-    float rise = towards_eye * inverse_length - sin_tangent;
-    bool counts = rise > horizon && squared < crease_radius * crease_radius &&
-                  height * inverse_length > crease_threshold;
-    float falloff = 1.0 - squared / (crease_radius * crease_radius);
-    return counts ? crease_contribution(falloff * (rise - horizon), rise)
+    float cosine = dot(to_tap, receiver.normal) * inversesqrt(squared);
+    float sine = min(cosine * estimate.steepness, 1.0); // of the angle over the tangent plane
+    float rise = estimate.cos_tangent * sine + estimate.sin_tangent * (sqrt(max(1.0 - sine * sine, 0.0)) - 1.0);
+    float falloff = 1.0 - squared * estimate.reach;
+    bool counts = rise > estimate.horizon && falloff > 0.0 && cosine > crease_threshold;
+    return counts ? crease_contribution(falloff * (rise - estimate.horizon), rise)
                   : crease_contribution(0.0, estimate.horizon);
 }
 
@@ -257,15 +273,16 @@ vec4 crease_encode_visibility(crease_result result) { return vec4(result.visibil
 float crease_depth_at(vec2 texel);
 vec3 crease_view_position(vec2 texel, float depth);
 vec3 crease_to_eye(vec3 position);
-mat2 crease_disk(vec3 position, vec3 to_eye);
+void crease_axes(vec3 to_eye, out vec3 across, out vec3 up);
+mat2 crease_disk(vec3 position, vec3 across, vec3 up);
 vec3 crease_normal_at(vec2 texel, vec3 position);
 crease_pattern crease_pattern_begin(crease_receiver receiver);
 int crease_direction_count();
 int crease_step_count();
-void crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
+vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
 crease_estimate crease_estimate_begin(crease_receiver receiver);
-void crease_estimate_turn(inout crease_estimate estimate);
+void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);
 crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap);
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
 float crease_estimate_occlusion(crease_estimate estimate);
@@ -279,14 +296,14 @@ crease_result crease_evaluate(ivec2 pixel) {
         return crease_result(1.0, crease_background);
     receiver.position = crease_view_position(receiver.texel, depth);
     receiver.to_eye = crease_to_eye(receiver.position);
-    receiver.disk = crease_disk(receiver.position, receiver.to_eye);
+    crease_axes(receiver.to_eye, receiver.across, receiver.up);
+    receiver.disk = crease_disk(receiver.position, receiver.across, receiver.up);
     receiver.normal = crease_normal_at(receiver.texel, receiver.position);
 
     crease_pattern pattern = crease_pattern_begin(receiver);
     crease_estimate estimate = crease_estimate_begin(receiver);
     for (int direction = 0; direction < crease_direction_count(); ++direction) {
-        crease_pattern_turn(pattern, receiver, direction);
-        crease_estimate_turn(estimate);
+        crease_estimate_turn(estimate, crease_pattern_turn(pattern, receiver, direction));
         for (int step = 0; step < crease_step_count(); ++step) {
             crease_tap tap = crease_pattern_tap(pattern, receiver, step);
             if (tap.inside)

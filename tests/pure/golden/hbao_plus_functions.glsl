@@ -26,7 +26,8 @@ struct crease_receiver {
     vec3 position; // view space
     vec3 normal;   // view space, unit
     vec3 to_eye;   // view space, unit
-    mat2 disk;     // offsets on the disk of the AO radius that faces the eye, in units of the radius, to texels
+    vec3 across, up; // view space, unit: the axes of the disk that faces the eye
+    mat2 disk;       // offsets on that disk, in units of the AO radius, to texels
 };
 
 // What a pass computes for a pixel.
@@ -41,6 +42,12 @@ const float crease_background = 1e15;
 // Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
 ivec2 crease_size(int divisor) { return (ivec2(crease_resolution) + divisor - 1) / divisor; }
 
+// Whether texel coordinates lie in the picture; false where they are NaN.
+bool crease_inside(vec2 texel) {
+    vec2 middle = 0.5 * crease_resolution;
+    return all(lessThan(abs(texel - middle), middle));
+}
+
 // The texel of the picture that stands for a pixel of a picture that is smaller by `divisor`.
 vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
     return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_resolution) - 1)) + 0.5;
@@ -49,7 +56,8 @@ vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
 // A perspective projection, centred or not; depth standard, reversed or infinite: stochastic-depth-ao 4.4.
 
 float crease_linear_depth(float device) {
-    return 1.0 / max(device * crease_depth_unpack.x + crease_depth_unpack.y, 1e-16);
+    float inverse = device * crease_depth_unpack.x + crease_depth_unpack.y;
+    return inverse * crease_far_depth > 1.0 ? 1.0 / inverse : crease_background; // the far plane occludes nothing
 }
 
 vec3 crease_view_position(vec2 texel, float depth) {
@@ -62,10 +70,13 @@ vec2 crease_texel_at(vec3 position) {
 
 vec3 crease_to_eye(vec3 position) { return -normalize(position); }
 
+void crease_axes(vec3 to_eye, out vec3 across, out vec3 up) {
+    across = normalize(vec3(to_eye.z, 0.0, -to_eye.x));
+    up = cross(to_eye, across);
+}
+
 // Derivative of the projection at `position` along two axes that face the eye, times the radius.
-mat2 crease_disk(vec3 position, vec3 to_eye) {
-    vec3 across = normalize(vec3(to_eye.z, 0.0, -to_eye.x));
-    vec3 up = cross(to_eye, across);
+mat2 crease_disk(vec3 position, vec3 across, vec3 up) {
     vec2 ray = position.xy / -position.z;
     vec2 scale = crease_radius / (-position.z * crease_view_from_texel.xy);
     return mat2((across.xy + ray * across.z) * scale, (up.xy + ray * up.z) * scale);
@@ -122,54 +133,35 @@ struct crease_tap {
     bool inside; // whether the texel is in the picture
 };
 // SPDX-License-Identifier: MIT
-// A Poisson disk of at most 64 points, any first N of which are spread evenly; turned by a random angle per pixel.
+// A disk of points that keep apart: a spiral of golden angles, on which no two of N points are nearer to each other
+// than 1 / sqrt(N) of the radius, for every N. It is turned, and its radii are shifted, at random per pixel.
 
 vec2 crease_noise(ivec2 pixel);
 
 struct crease_pattern {
-    mat2 disk; // of the receiver, turned
+    vec2 direction; // unit, on the disk that faces the eye
+    float offset;   // of the first radius
 };
 
-const vec2 crease_poisson_disk_points[64] = vec2[64](
-    vec2(-0.176483, 0.520953), vec2(0.169239, -0.516320), vec2(0.622194, 0.209094),
-    vec2(-0.603908, -0.194253), vec2(0.690252, -0.336823), vec2(0.065720, 0.023108),
-    vec2(0.347951, 0.693116), vec2(-0.350735, -0.691143), vec2(-0.691693, 0.337772),
-    vec2(-0.197111, -0.306208), vec2(-0.333756, 0.120518), vec2(0.508875, -0.671395),
-    vec2(0.267939, 0.330911), vec2(-0.000162, -0.848113), vec2(0.003434, 0.850318),
-    vec2(0.414780, -0.096617), vec2(-0.511317, 0.678727), vec2(0.658179, 0.550309),
-    vec2(-0.660104, -0.550052), vec2(0.849818, -0.036424), vec2(-0.851747, 0.046343),
-    vec2(-0.029978, 0.284930), vec2(0.095921, 0.578910), vec2(0.417086, -0.393570),
-    vec2(-0.272515, 0.832870), vec2(0.285681, -0.837073), vec2(-0.422512, 0.395416),
-    vec2(-0.099898, -0.570249), vec2(0.164991, -0.232415), vec2(-0.438597, -0.407842),
-    vec2(-0.823011, -0.338522), vec2(-0.586452, 0.103849), vec2(0.828818, 0.349387),
-    vec2(-0.361989, -0.117891), vec2(0.281814, 0.100959), vec2(0.484127, 0.405511),
-    vec2(-0.142682, -0.063909), vec2(-0.705567, 0.566252), vec2(0.636567, -0.113340),
-    vec2(0.714581, -0.560758), vec2(0.225018, 0.877038), vec2(-0.230757, -0.884113),
-    vec2(-0.002985, -0.383042), vec2(0.877592, -0.252077), vec2(-0.553420, -0.725659),
-    vec2(-0.239258, 0.304428), vec2(-0.880991, 0.251192), vec2(0.548025, 0.722171),
-    vec2(-0.897723, -0.149855), vec2(0.902157, 0.161693), vec2(0.314760, -0.643572),
-    vec2(-0.142099, 0.128722), vec2(0.480253, 0.081526), vec2(-0.113192, 0.701356),
-    vec2(0.123715, -0.698741), vec2(-0.325091, 0.635956), vec2(-0.274391, -0.502667),
-    vec2(0.297945, 0.514300), vec2(-0.014354, -0.192616), vec2(-0.625023, -0.373023),
-    vec2(0.531911, -0.256446), vec2(-0.693255, -0.035064), vec2(0.240123, -0.069055),
-    vec2(0.135515, 0.218560));
-
 crease_pattern crease_pattern_begin(crease_receiver receiver) {
-    float angle = 6.28318531 * crease_noise(receiver.pixel).x;
-    float c = cos(angle), s = sin(angle);
-    return crease_pattern(receiver.disk * mat2(c, s, -s, c));
+    vec2 noise = crease_noise(receiver.pixel);
+    float angle = 6.28318531 * noise.x;
+    return crease_pattern(vec2(cos(angle), sin(angle)), noise.y);
 }
 
 int crease_direction_count() { return 1; }
 
 int crease_step_count() { return crease_poisson_disk_count; }
 
-void crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) {}
+vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
-    vec2 texel = floor(receiver.texel + pattern.disk * crease_poisson_disk_points[step]) + 0.5;
-    bool itself = texel == receiver.texel;
-    return crease_tap(texel, !itself && all(greaterThan(texel, vec2(0.0))) && all(lessThan(texel, crease_resolution)));
+    const vec2 golden_angle = vec2(-0.73736888, 0.67549029);
+    pattern.direction = vec2(golden_angle.x * pattern.direction.x - golden_angle.y * pattern.direction.y,
+                             golden_angle.y * pattern.direction.x + golden_angle.x * pattern.direction.y);
+    float distance = sqrt((float(step) + pattern.offset) / float(crease_poisson_disk_count));
+    vec2 texel = floor(receiver.texel + receiver.disk * (pattern.direction * distance)) + 0.5;
+    return crease_tap(texel, texel != receiver.texel && crease_inside(texel));
 }
 // SPDX-License-Identifier: MIT
 // Taps projected onto the normal: stochastic-depth-ao, Algorithm 3.
@@ -177,22 +169,25 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
 struct crease_estimate {
     float occlusion; // summed over the taps
     float taps;
+    float reach;     // 1 / square of the radius
 };
 
 struct crease_contribution {
     float occlusion;
 };
 
-crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_estimate(0.0, 0.0); }
+crease_estimate crease_estimate_begin(crease_receiver receiver) {
+    return crease_estimate(0.0, 0.0, 1.0 / (crease_radius * crease_radius));
+}
 
-void crease_estimate_turn(inout crease_estimate estimate) {}
+void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     vec3 to_tap = position - receiver.position;
     float squared = dot(to_tap, to_tap);
     float rise = dot(to_tap, receiver.normal) * inversesqrt(squared) - crease_bias;
-    float falloff = 1.0 - squared / (crease_radius * crease_radius);
-    return crease_contribution(squared < crease_radius * crease_radius ? falloff * max(rise, 0.0) : 0.0);
+    float falloff = 1.0 - squared * estimate.reach;
+    return crease_contribution(falloff > 0.0 ? falloff * max(rise, 0.0) : 0.0);
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {
@@ -228,15 +223,16 @@ crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiv
 float crease_depth_at(vec2 texel);
 vec3 crease_view_position(vec2 texel, float depth);
 vec3 crease_to_eye(vec3 position);
-mat2 crease_disk(vec3 position, vec3 to_eye);
+void crease_axes(vec3 to_eye, out vec3 across, out vec3 up);
+mat2 crease_disk(vec3 position, vec3 across, vec3 up);
 vec3 crease_normal_at(vec2 texel, vec3 position);
 crease_pattern crease_pattern_begin(crease_receiver receiver);
 int crease_direction_count();
 int crease_step_count();
-void crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
+vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
 crease_estimate crease_estimate_begin(crease_receiver receiver);
-void crease_estimate_turn(inout crease_estimate estimate);
+void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);
 crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap);
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
 float crease_estimate_occlusion(crease_estimate estimate);
@@ -250,14 +246,14 @@ crease_result crease_evaluate(ivec2 pixel) {
         return crease_result(1.0, crease_background);
     receiver.position = crease_view_position(receiver.texel, depth);
     receiver.to_eye = crease_to_eye(receiver.position);
-    receiver.disk = crease_disk(receiver.position, receiver.to_eye);
+    crease_axes(receiver.to_eye, receiver.across, receiver.up);
+    receiver.disk = crease_disk(receiver.position, receiver.across, receiver.up);
     receiver.normal = crease_normal_at(receiver.texel, receiver.position);
 
     crease_pattern pattern = crease_pattern_begin(receiver);
     crease_estimate estimate = crease_estimate_begin(receiver);
     for (int direction = 0; direction < crease_direction_count(); ++direction) {
-        crease_pattern_turn(pattern, receiver, direction);
-        crease_estimate_turn(estimate);
+        crease_estimate_turn(estimate, crease_pattern_turn(pattern, receiver, direction));
         for (int step = 0; step < crease_step_count(); ++step) {
             crease_tap tap = crease_pattern_tap(pattern, receiver, step);
             if (tap.inside)

@@ -28,7 +28,8 @@ struct crease_receiver {
     vec3 position; // view space
     vec3 normal;   // view space, unit
     vec3 to_eye;   // view space, unit
-    mat2 disk;     // offsets on the disk of the AO radius that faces the eye, in units of the radius, to texels
+    vec3 across, up; // view space, unit: the axes of the disk that faces the eye
+    mat2 disk;       // offsets on that disk, in units of the AO radius, to texels
 };
 
 // What a pass computes for a pixel.
@@ -43,6 +44,12 @@ const float crease_background = 1e15;
 // Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
 ivec2 crease_size(int divisor) { return (ivec2(crease_resolution) + divisor - 1) / divisor; }
 
+// Whether texel coordinates lie in the picture; false where they are NaN.
+bool crease_inside(vec2 texel) {
+    vec2 middle = 0.5 * crease_resolution;
+    return all(lessThan(abs(texel - middle), middle));
+}
+
 // The texel of the picture that stands for a pixel of a picture that is smaller by `divisor`.
 vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
     return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_resolution) - 1)) + 0.5;
@@ -50,7 +57,10 @@ vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
 // SPDX-License-Identifier: MIT
 // An orthographic projection, centred or not; depth standard or reversed.
 
-float crease_linear_depth(float device) { return device * crease_depth_unpack.x + crease_depth_unpack.y; }
+float crease_linear_depth(float device) {
+    float depth = device * crease_depth_unpack.x + crease_depth_unpack.y;
+    return depth < crease_far_depth ? depth : crease_background; // the far plane occludes nothing
+}
 
 vec3 crease_view_position(vec2 texel, float depth) {
     return vec3(texel * crease_view_from_texel.xy + crease_view_from_texel.zw, -depth);
@@ -62,7 +72,12 @@ vec2 crease_texel_at(vec3 position) {
 
 vec3 crease_to_eye(vec3 position) { return vec3(0.0, 0.0, 1.0); }
 
-mat2 crease_disk(vec3 position, vec3 to_eye) {
+void crease_axes(vec3 to_eye, out vec3 across, out vec3 up) {
+    across = vec3(1.0, 0.0, 0.0);
+    up = vec3(0.0, 1.0, 0.0);
+}
+
+mat2 crease_disk(vec3 position, vec3 across, vec3 up) {
     vec2 scale = crease_radius / crease_view_from_texel.xy;
     return mat2(scale.x, 0.0, 0.0, scale.y);
 }
@@ -72,8 +87,7 @@ mat2 crease_disk(vec3 position, vec3 to_eye) {
 float crease_linear_depth(float device);
 
 float crease_depth_at(vec2 texel) {
-    float depth = crease_linear_depth(textureLod(crease_depth, texel * crease_texel_size, 0.0).x);
-    return depth < crease_far_depth ? depth : crease_background; // the far plane is no occluder, nor is NaN
+    return crease_linear_depth(textureLod(crease_depth, texel * crease_texel_size, 0.0).x);
 }
 // SPDX-License-Identifier: MIT
 // One layer of depth, that of the receivers.
@@ -166,7 +180,7 @@ int crease_direction_count() { return 1; }
 
 int crease_step_count() { return crease_hemisphere_points_count; }
 
-void crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) {}
+vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
     const vec2 golden_angle = vec2(-0.73736888, 0.67549029);
@@ -178,8 +192,7 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     vec3 point = receiver.position + (crease_radius * pattern.distance) *
         (pattern.tangent * sideways.x + pattern.bitangent * sideways.y + receiver.normal * sqrt(1.0 - share));
     vec2 texel = floor(crease_texel_at(point)) + 0.5;
-    bool inside = point.z < 0.0 && all(greaterThan(texel, vec2(0.0))) && all(lessThan(texel, crease_resolution));
-    return crease_tap(texel, inside, crease_view_position(texel, -point.z));
+    return crease_tap(texel, point.z < 0.0 && crease_inside(texel), crease_view_position(texel, -point.z));
 }
 // SPDX-License-Identifier: MIT
 // Range-checked points: stochastic-depth-ao, Algorithm 1.
@@ -196,7 +209,7 @@ struct crease_contribution {
 
 crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_estimate(0.0, 0.0); }
 
-void crease_estimate_turn(inout crease_estimate estimate) {}
+void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     // A point that its texel moved out of the hemisphere says nothing; so a plane is unoccluded at every slant.
@@ -244,15 +257,16 @@ vec4 crease_encode_visibility(crease_result result) { return vec4(result.visibil
 float crease_depth_at(vec2 texel);
 vec3 crease_view_position(vec2 texel, float depth);
 vec3 crease_to_eye(vec3 position);
-mat2 crease_disk(vec3 position, vec3 to_eye);
+void crease_axes(vec3 to_eye, out vec3 across, out vec3 up);
+mat2 crease_disk(vec3 position, vec3 across, vec3 up);
 vec3 crease_normal_at(vec2 texel, vec3 position);
 crease_pattern crease_pattern_begin(crease_receiver receiver);
 int crease_direction_count();
 int crease_step_count();
-void crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
+vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
 crease_estimate crease_estimate_begin(crease_receiver receiver);
-void crease_estimate_turn(inout crease_estimate estimate);
+void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);
 crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap);
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
 float crease_estimate_occlusion(crease_estimate estimate);
@@ -266,14 +280,14 @@ crease_result crease_evaluate(ivec2 pixel) {
         return crease_result(1.0, crease_background);
     receiver.position = crease_view_position(receiver.texel, depth);
     receiver.to_eye = crease_to_eye(receiver.position);
-    receiver.disk = crease_disk(receiver.position, receiver.to_eye);
+    crease_axes(receiver.to_eye, receiver.across, receiver.up);
+    receiver.disk = crease_disk(receiver.position, receiver.across, receiver.up);
     receiver.normal = crease_normal_at(receiver.texel, receiver.position);
 
     crease_pattern pattern = crease_pattern_begin(receiver);
     crease_estimate estimate = crease_estimate_begin(receiver);
     for (int direction = 0; direction < crease_direction_count(); ++direction) {
-        crease_pattern_turn(pattern, receiver, direction);
-        crease_estimate_turn(estimate);
+        crease_estimate_turn(estimate, crease_pattern_turn(pattern, receiver, direction));
         for (int step = 0; step < crease_step_count(); ++step) {
             crease_tap tap = crease_pattern_tap(pattern, receiver, step);
             if (tap.inside)
