@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "frame/fetch_loop.hpp"
+
+#include <algorithm>
+
+namespace crease::tools {
+
+namespace {
+
+constexpr const char* glsl = R"glsl(#version 450
+layout(local_size_x = 16, local_size_y = 16, local_size_x_id = 0, local_size_y_id = 1) in;
+layout(set = 0, binding = 1) uniform sampler2D crease_depth;
+layout(set = 0, binding = 2, r32f) uniform writeonly image2D crease_output;
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 size = imageSize(crease_output);
+    if (any(greaterThanEqual(pixel, size)))
+        return;
+    float sum = 0.0;
+    for (int i = 0; i < 8; ++i)
+        for (int j = 0; j < 4; ++j) {
+            vec2 texel = vec2(pixel) + 0.5 + vec2(5 * i - 20, 7 * j - 12);
+            sum += textureLod(crease_depth, texel / vec2(size), 0.0).x;
+        }
+    imageStore(crease_output, pixel, vec4(sum));
+}
+)glsl";
+
+}
+
+double time_fetch_loop(vulkan::device& device, const gbuffer& inputs, unsigned repeats) {
+    const piece pieces[] = {{"fetch_loop.comp", glsl}};
+    const resource resources[] = {{.name = "parameters"},
+                                  {.name = "depth", .texels = format::d32_float},
+                                  {.name = "sum", .texels = format::r32_float, .life = lifetime::output}};
+    const binding bindings[] = {{.name = "depth", .resource = 1, .how = access::sample, .slot = 1},
+                                {.name = "output", .resource = 2, .how = access::store, .slot = 2}};
+    const constant constants[] = {{"compute", "width", 0, 16}, {"compute", "height", 1, 16}};
+    const pass passes[] = {{.name = "fetch loop",
+                            .stage = stage_kind::compute,
+                            .dialect = dialect_kind::vulkan,
+                            .pieces = pieces,
+                            .vertex_pieces = {},
+                            .bindings = bindings,
+                            .constants = constants,
+                            .size = {}}};
+    vulkan::runner runner(device, {passes, resources, {}, {}}, inputs.depth.width, inputs.depth.height);
+    runner.upload("depth", inputs.device);
+    runner.run(parameters{}); // the first run compiles
+    std::vector<double> times;
+    for (unsigned i = 0; i < repeats; ++i)
+        times.push_back(runner.run(parameters{})[0].milliseconds);
+    const auto half = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+    std::nth_element(times.begin(), half, times.end());
+    return *half;
+}
+
+}
