@@ -53,13 +53,13 @@ TEST_CASE("a radius of 0 occludes nothing, and a huge one gives finite values") 
 }
 
 TEST_CASE("odd sizes") {
-    for (auto [width, height] : {std::pair{1, 1}, {7, 5}, {641, 359}, {1, 9}, {16, 1}})
+    for (const glm::ivec2 size : {glm::ivec2(1, 1), {7, 5}, {641, 359}, {1, 9}, {16, 1}})
         for (const char* filters : {"", "/bilateral", "/upsample:2", "/bilateral/upsample:4"}) {
-            CAPTURE(width);
-            CAPTURE(height);
+            CAPTURE(size.x);
+            CAPTURE(size.y);
             CAPTURE(std::string(filters));
-            const oracle::picture p =
-                oracle::draw({{kind::plane, {0, 0, -2}, {0, 0.5, 0.8660254}}}, lens::standard, width, height);
+            const oracle::picture p = oracle::draw({{kind::plane, {0, 0, -2}, {0, 0.5, 0.8660254}}},
+                                                   lens::standard, size.x, size.y);
             for (const char* stage : {"", "/fragment"}) {
                 const auto image = oracle::run(p, std::string(recipes[1]) + filters + stage, 0.5);
                 CHECK(image.size() == p.device.size());
