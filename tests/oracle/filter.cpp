@@ -70,7 +70,7 @@ visibility_image upsample(const visibility_image& image, const picture& p, const
                                                   std::clamp(y0 + j, 0, image.height - 1));
                     const double near = (1 - std::abs(px - x0 - i)) * (1 - std::abs(py - y0 - j)) + 1e-3;
                     const double apart = (image.depth[coarse] - depth) * tightness;
-                    const double weight = near / (1e-4 + apart * apart);
+                    const double weight = near / (1 + apart * apart);
                     sum += weight * image.visibility[coarse];
                     weights += weight;
                 }

@@ -26,7 +26,7 @@ crease_result crease_evaluate(ivec2 pixel) {
                 crease_decode(texelFetch(crease_input, clamp(first + ivec2(i, j), ivec2(0), last), 0));
             float apart = (coarse.depth - depth) * tightness;
             float weight = (i == 0 ? 1.0 - part.x : part.x) * (j == 0 ? 1.0 - part.y : part.y);
-            weight = (weight + 1e-3) / (1e-4 + apart * apart);
+            weight = (weight + 1e-3) / (1.0 + apart * apart);
             sum += coarse.visibility * weight;
             weights += weight;
         }
