@@ -3,6 +3,7 @@
 
 #include "frame/fetch_loop.hpp"
 #include "frame/frame.hpp"
+#include "image/file.hpp"
 #include "measure/compare.hpp"
 #include "measure/work.hpp"
 #include "progress.hpp"
@@ -62,7 +63,7 @@ void add_truth(subject& view, const mesh& scene, const bench_options& options) {
                                     return true;
                                 }});
     if (!options.truths.empty()) {
-        std::filesystem::create_directories(kept);
+        make_directory(kept);
         write_pfm(kept / "ao_hard.pfm", traced.ao_hard);
         write_pfm(kept / "ao_linear.pfm", traced.ao_linear);
         write_pfm(kept / "ao_quad.pfm", traced.ao_quad);
@@ -100,9 +101,7 @@ nlohmann::ordered_json measure(vulkan::device& device, const std::string& text,
     const recipe chosen{std::string_view(text)};
     if (!chosen)
         throw std::runtime_error(std::string(chosen.error()));
-    std::map<std::string, float> settings;
-    for (const std::string& one : options.settings)
-        settings[one.substr(0, one.find('='))] = std::stof(one.substr(one.find('=') + 1));
+    const std::map<std::string, float> settings = parse_settings(options.settings);
     nlohmann::ordered_json passes = nlohmann::ordered_json::array(), each = nlohmann::ordered_json::array();
     const auto composed = std::make_unique<composition>(chosen);
     for (const pass& p : composed->view().passes) {

@@ -22,18 +22,6 @@ struct render_options {
     std::filesystem::path directory;
 };
 
-std::map<std::string, float> parse_settings(const std::vector<std::string>& texts) {
-    std::map<std::string, float> settings;
-    for (const std::string& text : texts) {
-        const std::size_t equals = text.find('=');
-        float value = 0;
-        if (equals == std::string::npos || !CLI::detail::lexical_cast(text.substr(equals + 1), value))
-            throw std::runtime_error(fmt::format("--set {}: it must read name=number", text));
-        settings[text.substr(0, equals)] = value;
-    }
-    return settings;
-}
-
 nlohmann::ordered_json describe(const render_options& options, const camera& from, const recipe& chosen,
                                 const parameters& used, const frame& made, const std::string& device) {
     nlohmann::ordered_json settings, passes = nlohmann::ordered_json::array();

@@ -37,6 +37,10 @@ struct frame_options {
     unsigned repeats = 1;                  ///< timed runs
 };
 
+/// Reads settings given as name=value.
+/// @throws std::runtime_error  that quotes the one that does not read so
+std::map<std::string, float> parse_settings(const std::vector<std::string>& texts);
+
 /// Runs an effect on a G-buffer. The effect reads device depth and given or reconstructed normals.
 /// @throws std::runtime_error  where a setting is unknown to every part of the recipe or out of its range;
 ///         vulkan::error

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
@@ -26,6 +27,22 @@ std::string names_of(const choice_list& parts) {
     return names;
 }
 
+}
+
+std::map<std::string, float> parse_settings(const std::vector<std::string>& texts) {
+    std::map<std::string, float> settings;
+    for (const std::string& text : texts) {
+        const std::size_t equals = text.find('=');
+        float value = 0;
+        const char* end = text.data() + text.size();
+        const auto read = equals == std::string::npos
+                              ? std::from_chars_result{end, std::errc::invalid_argument}
+                              : std::from_chars(text.data() + equals + 1, end, value);
+        if (read.ec != std::errc{} || read.ptr != end)
+            throw std::runtime_error(fmt::format("--set {}: it must read name=number", text));
+        settings[text.substr(0, equals)] = value;
+    }
+    return settings;
 }
 
 parameters settle(const recipe& chosen, const frame_options& options) {
