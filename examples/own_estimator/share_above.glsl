@@ -15,7 +15,7 @@ struct crease_contribution {
 
 crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_estimate(0.0, 0.0); }
 
-void crease_estimate_turn(inout crease_estimate estimate) {}
+void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     vec3 to_tap = position - receiver.position;
