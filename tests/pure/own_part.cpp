@@ -12,7 +12,7 @@ constexpr crease::glsl_file nearness_glsl{"host/nearness.glsl", R"(
 struct crease_estimate { float occlusion; };
 struct crease_contribution { float occlusion; };
 crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_estimate(0.0); }
-void crease_estimate_turn(inout crease_estimate estimate) {}
+void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     return crease_contribution(distance(position, receiver.position) < crease_radius ? 1.0 : 0.0);
 }
