@@ -14,6 +14,9 @@ namespace crease {
 /// The most parts that an effect may consist of, those filled in by default included.
 inline constexpr std::size_t most_parts = 16;
 
+/// The most of these that may be named: the others are left to defaults.
+inline constexpr std::size_t most_chosen = 12;
+
 /// The parts of an effect in order: sampler, depth source, estimator, and then the rest.
 using choice_list = fixed_list<choice, most_parts>;
 
@@ -87,8 +90,8 @@ constexpr bool input_is_full_size(std::span<const choice> choices, std::size_t a
 
 /// Checks parts chosen at run time by the same rules as `effect` does at compile time.
 constexpr refusal check(std::span<const choice> choices) {
-    if (choices.size() > 12)
-        return {rules::few_enough, choices[12].what->name};
+    if (choices.size() > most_chosen)
+        return {rules::few_enough, choices[most_chosen].what->name};
     constexpr role first_three[] = {role::sampler, role::depth_source, role::estimator};
     constexpr std::string_view sentences[] = {rules::sampler_first, rules::depth_source_second,
                                               rules::estimator_third};
@@ -214,7 +217,7 @@ constexpr bool assert_all() {
                       assert_depth_source_second<has_role<DepthSource, role::depth_source>, DepthSource>() &&
                       assert_estimator_third<has_role<Estimator, role::estimator>, Estimator>() &&
                       (assert_rest_beside_three<may_follow<Rest>, Rest>() && ...) &&
-                      assert_few_enough<(sizeof...(Rest) <= 9), Rest...>())
+                      assert_few_enough<(3 + sizeof...(Rest) <= most_chosen), Rest...>())
             return assert_each<Sampler, DepthSource, Estimator, Rest...>() &&
                    assert_needs<Sampler, Sampler, DepthSource, Estimator>() &&
                    assert_needs<DepthSource, Sampler, DepthSource, Estimator>() &&

@@ -92,8 +92,7 @@ std::vector<subject> load_subjects(vulkan::device& device, const std::string& pa
 }
 
 struct score {
-    double milliseconds = 0, main_milliseconds = 0, rmse_hard = 0, rmse_linear = 0, rmse_quad = 0, ssim = 0,
-           bias = 0;
+    double milliseconds = 0, rmse_hard = 0, rmse_linear = 0, rmse_quad = 0, ssim = 0, bias = 0;
 };
 
 nlohmann::ordered_json measure(vulkan::device& device, const std::string& text,
