@@ -87,8 +87,8 @@ std::vector<GLuint> make_textures() {
         glGenTextures(1, &textures.back());
         glBindTexture(GL_TEXTURE_2D, textures.back());
         glTexStorage2D(GL_TEXTURE_2D, 1, format_of(resource.texels),
-                       static_cast<GLsizei>(resource.size.of(corner::width)),
-                       static_cast<GLsizei>(resource.size.of(corner::height)));
+                       static_cast<GLsizei>(resource.size.width_of(corner::width)),
+                       static_cast<GLsizei>(resource.size.height_of(corner::height)));
     }
     return textures;
 }
@@ -104,8 +104,8 @@ void run(const crease::pass& pass, const std::vector<GLuint>& textures, GLuint p
             glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
                                    textures[binding.resource], 0);
         }
-    glViewport(0, 0, static_cast<GLsizei>(pass.size.of(corner::width)),
-               static_cast<GLsizei>(pass.size.of(corner::height)));
+    glViewport(0, 0, static_cast<GLsizei>(pass.size.width_of(corner::width)),
+               static_cast<GLsizei>(pass.size.height_of(corner::height)));
     const GLuint program = link(pass);
     glUseProgram(program);
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -173,7 +173,7 @@ int main(int count, char** arguments) {
                                                2 * near * far / (near - far),
                                                0};
         crease::parameters parameters = ao::defaults;
-        crease::set_projection(parameters, projection, corner::width, corner::height, clip);
+        crease::set_projection(parameters.view, projection, corner::width, corner::height, clip);
         parameters.radius = corner::radius;
 
         const auto visibility = render(corner::device_depth(projection, clip), parameters);

@@ -191,7 +191,7 @@ int main(int count, char** arguments) {
         constexpr crease::clip_space clip{.depth_zero_to_one = true};
         constexpr corner::matrix projection = {1, 0, 0, 0, 0, -16.f / 9, 0, 0, 0, 0, 0, -1, 0, 0, 0.1f, 0};
         crease::parameters values = ao::defaults;
-        crease::set_projection(values, projection, corner::width, corner::height, clip);
+        crease::set_projection(values.view, projection, corner::width, corner::height, clip);
         values.radius = corner::radius;
 
         const auto visibility = render(gpu, corner::device_depth(projection, clip), values);

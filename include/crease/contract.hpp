@@ -12,25 +12,27 @@
 namespace crease {
 
 /// The most parts that an effect may consist of, those filled in by default included.
-inline constexpr std::size_t most_parts = 16;
+inline constexpr std::size_t most_parts = 24;
 
 /// The most of these that may be named: the others are left to defaults.
-inline constexpr std::size_t most_chosen = 12;
+inline constexpr std::size_t most_chosen = 16;
 
 /// The parts of an effect in order: sampler, depth source, estimator, and then the rest.
 using choice_list = fixed_list<choice, most_parts>;
 
 // The rules of composing, each with its sentence: static assertion and run-time refusal alike.
-#define CREASE_RULES(rule)                                                                                   \
-    rule(sampler_first, "the first part must be a sampler") rule(depth_source_second,                        \
-                                                                 "the second part must be a depth source")   \
-        rule(estimator_third, "the third part must be an estimator") rule(                                   \
-            rest_beside_three, "a fourth or later part must be a filter, a view part, a stage or a dialect") \
-            rule(role_once, "two parts have the same role, and only filters may be more than one")           \
-                rule(in_range, "a number of a part is out of its range")                                     \
-                    rule(full_size_input,                                                                    \
-                         "a filter takes a picture of full size, and the one before it makes a smaller one") \
-                        rule(few_enough, "an effect has 12 parts at the most")
+// clang-format off
+#define CREASE_RULES(rule)                                                                                             \
+    rule(sampler_first, "the first part must be a sampler")                                                            \
+    rule(depth_source_second, "the second part must be a depth source")                                                \
+    rule(estimator_third, "the third part must be an estimator")                                                       \
+    rule(rest_beside_three, "a fourth or later part must not be a sampler, a depth source or an estimator")            \
+    rule(role_once, "two parts have the same role, and only filters may be more than one")                             \
+    rule(in_range, "a number of a part is out of its range")                                                           \
+    rule(layers_captured, "a part is of use only beside a depth source that captures layers, and this one captures none")       \
+    rule(full_size_input, "a filter takes a picture of full size, and the one before it makes a smaller one")          \
+    rule(few_enough, "an effect has 16 parts at the most")
+// clang-format on
 
 /// Why an effect is refused; `sentence` is empty where it is not.
 struct refusal {
@@ -60,6 +62,18 @@ constexpr bool numbers_in_range(const choice& c) {
         if (c.numbers[i] < c.what->numbers[i].least || c.numbers[i] > c.what->numbers[i].most)
             return false;
     return true;
+}
+
+/// Whether a role is empty unless another part wants it.
+constexpr bool waits_to_be_wanted(role r) {
+    return r == role::layer_carrier || r == role::layer_sampling;
+}
+
+constexpr bool wants(const part& p, role wanted) {
+    for (role r : p.wants)
+        if (r == wanted)
+            return true;
+    return false;
 }
 
 constexpr bool may_follow_three(role r) {
@@ -107,6 +121,8 @@ constexpr refusal check(std::span<const choice> choices) {
                 return {rules::role_once, choices[j].what->name, p.name};
         if (!rules::numbers_in_range(choices[i]))
             return {rules::in_range, p.name};
+        if (rules::waits_to_be_wanted(p.kind) && !rules::wants(*choices[1].what, p.kind))
+            return {rules::layers_captured, p.name, choices[1].what->name};
         for (const trait* needed : p.needs)
             for (std::size_t j = 0; j < 3; ++j)
                 if (choices[j].what->kind == needed->from && !has(choices[j].what->offers, needed))
@@ -123,10 +139,11 @@ constexpr choice_list complete(std::span<const choice> choices) {
     for (const choice& c : choices)
         all.add(c);
     for (const choice& fallback : default_choices) {
-        bool chosen = false;
+        const role wanted = fallback.what->kind;
+        bool there = rules::waits_to_be_wanted(wanted) && !rules::wants(*choices[1].what, wanted);
         for (const choice& c : choices)
-            chosen = chosen || c.what->kind == fallback.what->kind;
-        if (!chosen)
+            there = there || c.what->kind == wanted;
+        if (!there)
             all.add(fallback);
     }
     return all;
@@ -146,6 +163,10 @@ constexpr bool share_a_role = One::description.kind == Other::description.kind&&
 
 template <class Part>
 constexpr bool in_its_range = numbers_in_range(choice_of<Part>());
+
+template <class Part, class DepthSource>
+constexpr bool is_wanted =
+    !waits_to_be_wanted(Part::description.kind) || wants(DepthSource::description, Part::description.kind);
 
 template <class Filter, class... After>
 constexpr bool gets_full_size = [] {
@@ -219,6 +240,7 @@ constexpr bool assert_all() {
                       (assert_rest_beside_three<may_follow<Rest>, Rest>() && ...) &&
                       assert_few_enough<(3 + sizeof...(Rest) <= most_chosen), Rest...>())
             return assert_each<Sampler, DepthSource, Estimator, Rest...>() &&
+                   (assert_layers_captured<is_wanted<Rest, DepthSource>, Rest, DepthSource>() && ...) &&
                    assert_needs<Sampler, Sampler, DepthSource, Estimator>() &&
                    assert_needs<DepthSource, Sampler, DepthSource, Estimator>() &&
                    assert_needs<Estimator, Sampler, DepthSource, Estimator>() &&

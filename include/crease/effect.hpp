@@ -19,13 +19,19 @@ constexpr parameters default_parameters(std::span<const choice> choices) {
     return p;
 }
 
-/// What the passes of a plan require of a device.
+/// What the captures and passes of a plan require of a device.
 constexpr device_features required_features(const plan& p) {
     device_features required;
-    if (p.chosen(role::stage).what->stage_of == stage_kind::compute &&
-        p.chosen(role::dialect).what->dialect_of == dialect_kind::vulkan)
-        for (const planned_pass& pass : p.passes)
-            required.extended_storage_formats |= p.resources[pass.output].texels == format::r8_unorm;
+    const bool vulkan = p.chosen(role::dialect).what->dialect_of == dialect_kind::vulkan;
+    for (const planned_capture& c : p.captures) {
+        required.fragment_stores_and_atomics |= vulkan && c.what->how == access::modify;
+        if (c.what->how == access::attachment)
+            required.depth_samples |= p.resources[c.output].samples;
+    }
+    for (const planned_pass& pass : p.passes)
+        if (vulkan && writing::stage_of(p, pass) == stage_kind::compute)
+            for (unsigned output : pass.outputs)
+                required.extended_storage_formats |= facts_of(p.resources[output].texels).extended;
     return required;
 }
 
@@ -90,74 +96,76 @@ class effect {
 
     static constexpr std::size_t pass_count = planned.passes.size();
 
-    template <std::size_t Pass>
-    static constexpr interface_text interface_draft = program_writer(planned, Pass).interface();
+    template <const auto* Planned>
+    static constexpr program draft = write_program(planned, *Planned);
 
-    template <std::size_t Pass>
+    template <const auto* Planned>
     static constexpr auto
-        interface_block = joining::copy<interface_draft<Pass>.count>(interface_draft<Pass>.characters);
+        interface_block = joining::copy<draft<Planned>.interface.count>(draft<Planned>.interface.characters);
 
-    template <std::size_t Pass>
+    template <const auto* Planned>
     static constexpr glsl_file interface_piece{
-        "interface", std::string_view(interface_block<Pass>.characters, interface_draft<Pass>.count)};
+        "interface", std::string_view(interface_block<Planned>.characters, draft<Planned>.interface.count)};
 
-    template <std::size_t Pass>
-    static constexpr file_list files = program_writer(planned, Pass).files();
-
-    template <std::size_t Pass, std::size_t... I>
+    template <const auto* Planned, std::size_t... I>
     static constexpr std::array<piece, 1 + sizeof...(I)> list_pieces(std::index_sequence<I...>) {
-        return {interface_piece<Pass>, *files<Pass>[I]...};
+        return {interface_piece<Planned>, *draft<Planned>.files[I]...};
     }
 
-    template <std::size_t Pass>
-    static constexpr auto pieces_of = list_pieces<Pass>(std::make_index_sequence<files<Pass>.size()>{});
+    template <const auto* Planned>
+    static constexpr auto
+        pieces_of = list_pieces<Planned>(std::make_index_sequence<draft<Planned>.files.size()>{});
 
-    template <std::size_t Pass>
-    static constexpr binding_list binding_draft = program_writer(planned, Pass).bindings();
+    template <const auto* Planned>
+    static constexpr auto
+        bindings_of = joining::shrink<draft<Planned>.bindings.size()>(draft<Planned>.bindings);
 
-    template <std::size_t Pass>
-    static constexpr auto bindings_of = joining::shrink<binding_draft<Pass>.size()>(binding_draft<Pass>);
+    template <const auto* Planned>
+    static constexpr auto
+        constants_of = joining::shrink<draft<Planned>.constants.size()>(draft<Planned>.constants);
 
-    template <std::size_t Pass>
-    static constexpr constant_list constant_draft = program_writer(planned, Pass).constants();
-
-    template <std::size_t Pass>
-    static constexpr auto constants_of = joining::shrink<constant_draft<Pass>.size()>(constant_draft<Pass>);
-
-    template <std::size_t Pass>
-    static constexpr pass describe() {
-        pass p = program_writer(planned, Pass).describe();
-        p.pieces = pieces_of<Pass>;
-        p.bindings = bindings_of<Pass>;
-        p.constants = constants_of<Pass>;
-        p.vertex_pieces = program_writer(planned, Pass).vertex_pieces();
-        return p;
+    /// A pass or a capture with its lists.
+    template <const auto* Planned>
+    static constexpr auto described() {
+        auto whole = describe(planned, *Planned);
+        whole.pieces = pieces_of<Planned>;
+        whole.bindings = bindings_of<Planned>;
+        whole.constants = constants_of<Planned>;
+        return whole;
     }
 
-    template <std::size_t Pass, std::size_t... I>
+    template <const auto* Planned, std::size_t... I>
     static constexpr auto join(std::index_sequence<I...>) {
         using namespace joining;
-        using whole = joined<placed<0, block<interface_draft<Pass>.count>>,
-                             placed<1 + I, block<files<Pass>[I] -> text.size()>>...,
+        using whole = joined<placed<0, block<draft<Planned>.interface.count>>,
+                             placed<1 + I, block<draft<Planned>.files[I]->text.size()>>...,
                              placed<1 + sizeof...(I), block<1>>>;
         return std::bit_cast<std::array<char, sizeof(whole)>>(
-            whole{{interface_block<Pass>}, {block_of<files<Pass>[I]>}..., {block<1>{{'\0'}}}});
+            whole{{interface_block<Planned>}, {block_of<draft<Planned>.files[I]>}..., {block<1>{{'\0'}}}});
     }
 
-    template <std::size_t Pass>
-    static constexpr auto text = join<Pass>(std::make_index_sequence<files<Pass>.size()>{});
+    template <const auto* Planned>
+    static constexpr auto text = join<Planned>(std::make_index_sequence<draft<Planned>.files.size()>{});
 
     template <std::size_t... I>
     static constexpr std::array<pass, pass_count> list_passes(std::index_sequence<I...>) {
-        return {describe<I>()...};
+        return {described<&planned.passes.items[I]>()...};
+    }
+
+    template <std::size_t... I>
+    static constexpr std::array<capture, sizeof...(I)> list_captures(std::index_sequence<I...>) {
+        return {described<&planned.captures.items[I]>()...};
     }
 
 public:
+    /// What the host's geometry pass fills before the passes run; none for most effects.
+    static constexpr auto captures = list_captures(std::make_index_sequence<planned.captures.size()>{});
+
     /// The passes in the order of execution.
     static constexpr std::array<pass, pass_count> passes =
         list_passes(std::make_index_sequence<pass_count>{});
 
-    /// The resources that the passes use; 0 is the block of parameters, the last the output.
+    /// The resources that the passes use; 0 is the block of parameters, the outputs are the last.
     static constexpr auto resources = joining::shrink<planned.resources.size()>(planned.resources);
 
     /// The device features that all passes together require.
@@ -169,10 +177,16 @@ public:
 
     /// The whole text of a pass, NUL-terminated, with static storage; made only where it is named.
     template <std::size_t Pass>
-    static constexpr std::string_view source{text<Pass>.data(), text<Pass>.size() - 1};
+    static constexpr std::string_view source{text<&planned.passes.items[Pass]>.data(),
+                                             text<&planned.passes.items[Pass]>.size() - 1};
+
+    /// The whole text of a capture, likewise.
+    template <std::size_t Capture>
+    static constexpr std::string_view capture_source{text<&planned.captures.items[Capture]>.data(),
+                                                     text<&planned.captures.items[Capture]>.size() - 1};
 
     /// The effect as data, for a renderer.
-    static constexpr effect_view view() { return {passes, resources, features, defaults}; }
+    static constexpr effect_view view() { return {captures, passes, resources, features, defaults}; }
     constexpr operator effect_view() const { return view(); }
 };
 

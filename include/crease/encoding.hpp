@@ -15,7 +15,7 @@ inline constexpr glsl_file encoding_visibility_depth_glsl{
 #include <crease/encoding/visibility_depth.glsl>
 };
 
-/// What the last pass of an effect writes: visibility in [0, 1].
+/// What leaves an effect: visibility in [0, 1].
 inline constexpr encoding visibility_encoding{"visibility", format::r8_unorm, &encoding_visibility_glsl};
 
 /// What a filter reads: visibility and linear depth in one texel.

@@ -19,15 +19,21 @@ enum class role : unsigned char {
     projection,     ///< view: between texels, view space and device depth
     depth_encoding, ///< view: what the depth image holds
     normals,        ///< view: where the receiver's normal comes from
-    filter,         ///< passes over the visibility: denoising, upsampling
+    second_view,    ///< view: a second camera, for what the first sees at a grazing angle
+    layer_carrier,  ///< capture: what keeps the layers that the geometry pass draws
+    layer_sampling, ///< capture: which samples keep a fragment
+    fold,           ///< how the layers of a tap become one contribution
+    output,         ///< what leaves the effect beside visibility
+    filter,         ///< passes over the result: denoising, upsampling
     stage,          ///< what a pass runs as
     dialect         ///< which GLSL it is written in
 };
 
 constexpr std::string_view name_of(role r) {
-    constexpr std::string_view names[] = {"sampler",    "depth source",   "estimator",
-                                          "projection", "depth encoding", "normals",
-                                          "filter",     "stage",          "dialect"};
+    constexpr std::string_view names[] = {"sampler",        "depth source", "estimator",   "projection",
+                                          "depth encoding", "normals",      "second view", "layer carrier",
+                                          "layer sampling", "fold",         "output",      "filter",
+                                          "stage",          "dialect"};
     return names[static_cast<unsigned>(r)];
 }
 
@@ -37,6 +43,8 @@ struct number {
     int least, most; ///< inclusive
     int fallback;    ///< where a recipe gives none
     std::string_view meaning;
+    bool in_glsl =
+        true; ///< false: the number places bindings and the like, and is no constant of the program
 };
 
 /// A field of `parameters` that a part reads, and the value that it recommends.
@@ -69,16 +77,42 @@ struct step_constant {
     int value;
 };
 
-/// A pass as a part describes it; its body defines `crease_result crease_evaluate(ivec2 pixel)`.
+/// What the body of a step defines.
+enum class step_kind : unsigned char {
+    evaluate, ///< `crease_result crease_evaluate(ivec2 pixel)`: a filter's, and the main pass's
+    build,    ///< `void crease_build(ivec2 texel)`, that stores to what the step writes: a depth source's
+    rows,     ///< `void crease_build_line(int line)`, which a whole workgroup calls for each row: a depth
+              ///< source's
+    columns   ///< the same for each column
+};
+
+/// A pass as a part describes it.
 struct step {
     std::string_view name; ///< of the pass
     const glsl_file* body = nullptr;
+    step_kind kind = step_kind::evaluate;
     std::span<const role> includes{}; ///< roles whose functions the body calls
     std::span<const step_constant> constants{};
-    const encoding* input = nullptr;           ///< a filter's: how it wants the result of the pass before it
     bool full_size_input = false;              ///< a filter's: whether that must be as large as the picture
     std::span<const std::string_view> reads{}; ///< the part's own resources that the body reads
-    std::string_view writes{}; ///< the part's own resource that the step fills before the main pass
+    std::span<const std::string_view>
+        writes{};                            ///< the part's own resources that a build fills, all of one size
+    int group_width = 16, group_height = 16; ///< a build's workgroup, invocations
+};
+
+/// How a geometry pass fills a resource; its body defines `void crease_capture(vec3 anchor)`.
+struct capture_step {
+    std::string_view name;
+    const glsl_file* body = nullptr;
+    std::span<const role> includes{}; ///< roles whose functions the body calls
+    std::string_view writes{};        ///< the part's own resource
+    access how = access::attachment;  ///< or modify
+};
+
+/// GLSL of a part that is there only where another part needs it.
+struct extra {
+    const trait* on_need; ///< the trait that the part offers by it
+    const glsl_file* glsl;
 };
 
 /// What a part says of itself. Parts are open: a host describes its own and composes it with those of crease.
@@ -94,12 +128,19 @@ struct part {
     std::span<const setting> settings{};
     std::span<const trait* const> needs{};
     std::span<const trait* const> offers{};
-    std::span<const resource>
-        resources{};                 ///< inputs that its functions read, transients that its steps write
-    std::span<const step> steps{};   ///< a depth source's before the main pass, a filter's after it
-    const glsl_file* fold = nullptr; ///< how the layers of a tap become one contribution; a depth source's
-                                     ///< takes precedence over the estimator's
-    int upsampling = -1;             ///< a filter's: index of the number by which its output is larger
+    std::span<const extra> extras{};
+    std::span<const role> wants{};             ///< roles, else absent, of which the effect must have a part
+    std::span<const resource> resources{};     ///< what its functions read
+    std::span<const resource> intermediates{}; ///< what only its steps read and write
+    std::span<const step> steps{};             ///< a depth source's before the main pass, a filter's after it
+    const glsl_file* fold = nullptr;      ///< how the layers of a tap become one contribution; a fold's takes
+                                          ///< precedence over a depth source's, and that over an estimator's
+    const glsl_file* main_body = nullptr; ///< a second view's: what takes the place of core/visibility.glsl
+    const capture_step* captures = nullptr; ///< a layer carrier's
+    const glsl_file* result = nullptr;      ///< an output's: `struct crease_result` and its arithmetic
+    const encoding* between = nullptr;      ///< an output's: how the result is kept between passes
+    std::span<const encoding* const> final_images{}; ///< an output's: the images that leave the effect
+    int upsampling = -1; ///< a filter's: index of the number by which its output is larger
     stage_kind stage_of = stage_kind::compute;      ///< a stage's
     dialect_kind dialect_of = dialect_kind::vulkan; ///< a dialect's
 };

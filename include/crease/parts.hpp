@@ -13,6 +13,7 @@
 #include <crease/estimator/ssao.hpp>
 #include <crease/filter/bilateral.hpp>
 #include <crease/filter/upsample.hpp>
+#include <crease/output/visibility_only.hpp>
 #include <crease/sampler/directions.hpp>
 #include <crease/sampler/hemisphere_points.hpp>
 #include <crease/sampler/poisson_disk.hpp>
@@ -37,6 +38,7 @@ inline constexpr const part* all_parts[] = {
     &hbao::description,
     &hbao_plus::description,
     &ssao::description,
+    &visibility_only::description,
     &bilateral_part::description,
     &upsample_part::description,
     &perspective::description,

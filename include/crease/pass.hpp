@@ -11,7 +11,7 @@ namespace crease {
 
 /// What a pass runs as.
 enum class stage_kind : unsigned char {
-    compute,  ///< one invocation per texel of the output
+    compute,  ///< compute invocations
     fragment, ///< one triangle that covers the output
     functions ///< no `main`: functions that an engine's own shader calls
 };
@@ -21,14 +21,32 @@ enum class dialect_kind : unsigned char {
     opengl  ///< GLSL 430 for OpenGL 4.3 and up
 };
 
+/// How a compute pass covers its output.
+enum class dispatch : unsigned char {
+    texels, ///< one invocation for each texel
+    rows,   ///< one workgroup for each row: (1, height, 1)
+    columns ///< one workgroup for each column: (width, 1, 1)
+};
+
 /// How a pass touches a resource.
 enum class access : unsigned char {
     uniform,    ///< a std140 block
     sample,     ///< a sampled image, nearest filter, clamped to the edge, one level
     store,      ///< a storage image that is written
-    attachment, ///< the colour attachment of location 0; has no binding
+    modify,     ///< a storage image that is changed by atomic operations
+    attachment, ///< a colour attachment; has no binding, its location is `slot`
     result      ///< the return value of a function; has no binding
 };
+
+/// Whether a pass writes what it touches so.
+constexpr bool writes(access how) {
+    return how != access::uniform && how != access::sample;
+}
+
+/// Whether what is touched so has a descriptor.
+constexpr bool has_descriptor(access how) {
+    return how != access::attachment && how != access::result;
+}
 
 /// One resource that a pass uses, and where it is bound.
 struct binding {
@@ -58,10 +76,11 @@ struct pass {
     dialect_kind dialect = dialect_kind::vulkan;
     std::span<const piece> pieces;        ///< in order; joined they are the GLSL program
     std::span<const piece> vertex_pieces; ///< the vertex shader of a fragment pass; empty otherwise
-    std::span<const binding> bindings;    ///< the last is the output
+    std::span<const binding> bindings;    ///< the first is the block of parameters, the last are the outputs
     std::span<const constant>
         constants; ///< of a compute pass the first two are the workgroup's width and height
-    extent size;   ///< of the output: how many invocations or fragments
+    extent size;   ///< of the outputs
+    dispatch covers = dispatch::texels;
 
     /// Workgroup width and height in invocations; 0 where the pass is not compute.
     constexpr unsigned group_width() const {
@@ -72,14 +91,36 @@ struct pass {
     }
 };
 
+/// What a host adds to its geometry pass, so that it fills a resource that an effect reads: functions for its
+/// fragment shader, and the state that they need. The geometry is drawn without culling and before the first
+/// pass.
+struct capture {
+    std::string_view name; ///< e.g. "layers"
+    dialect_kind dialect = dialect_kind::vulkan;
+    std::span<const piece> pieces;     ///< GLSL without `main`: `void crease_capture(vec3 anchor)`
+    std::span<const binding> bindings; ///< the first is the block of parameters; the last is what it fills
+    std::span<const constant> constants;
+    extent size; ///< of what it fills
+
+    /// Whether it fills a multisampled depth attachment, with the host's depth test and clear value, whose
+    /// sample mask and depth the shader sets. Else it draws without attachments and without depth test.
+    constexpr bool to_attachment() const { return bindings.back().how == access::attachment; }
+};
+
 /// Device features that an effect requires beyond Vulkan 1.1 or OpenGL 4.3.
 struct device_features {
-    /// Vulkan: shaderStorageImageExtendedFormats (storing to R8). Core in OpenGL 4.3.
+    /// Vulkan: shaderStorageImageExtendedFormats (storing to R8, RG32). Core in OpenGL 4.3.
     bool extended_storage_formats = false;
+    /// Vulkan: fragmentStoresAndAtomics. Core in OpenGL 4.3.
+    bool fragment_stores_and_atomics = false;
+    /// Sums of the sample counts of depth images that are drawn to and sampled, e.g. 4 | 8; 0: none.
+    unsigned depth_samples = 0;
 
     /// Whether a device that has these features can run what requires `wanted`.
     constexpr bool cover(const device_features& wanted) const {
-        return extended_storage_formats || !wanted.extended_storage_formats;
+        return (extended_storage_formats || !wanted.extended_storage_formats) &&
+               (fragment_stores_and_atomics || !wanted.fragment_stores_and_atomics) &&
+               (depth_samples & wanted.depth_samples) == wanted.depth_samples;
     }
     constexpr bool operator==(const device_features&) const = default;
 };
@@ -87,8 +128,9 @@ struct device_features {
 /// An effect as data, whether it was composed at compile time or at run time: all a renderer needs to run it.
 /// Views static storage, or that of the `composition` it came from.
 struct effect_view {
+    std::span<const capture> captures;   ///< what the host's geometry pass fills first; empty for most
     std::span<const pass> passes;        ///< in the order of execution
-    std::span<const resource> resources; ///< resource 0 is the block of parameters; the last is the output
+    std::span<const resource> resources; ///< resource 0 is the block of parameters; the outputs come last
     device_features features;
     parameters defaults; ///< the settings as the parts recommend them; no view in it yet
 };

@@ -6,213 +6,394 @@
 
 namespace crease {
 
-using file_list = fixed_list<const glsl_file*, 32>;
+using file_list = fixed_list<const glsl_file*, 40>;
 using binding_list = fixed_list<binding, 16>;
-using constant_list = fixed_list<constant, 24>;
+using constant_list = fixed_list<constant, 32>;
 using interface_text = fixed_text<3072>;
+
+/// A program before its pieces are joined.
+struct program {
+    interface_text interface; ///< what stands before the files: version, constants and bindings
+    file_list files;
+    binding_list bindings;
+    constant_list constants;
+};
 
 inline constexpr piece fullscreen_vulkan[] = {
     {"interface", "#version 450\n#define CREASE_VERTEX_INDEX gl_VertexIndex\n"}, fullscreen_glsl};
 inline constexpr piece fullscreen_opengl[] = {
     {"interface", "#version 430\n#define CREASE_VERTEX_INDEX gl_VertexID\n"}, fullscreen_glsl};
 
-/// Writes the programs of a plan, one pass at a time: compile time and run time alike.
+namespace writing {
+
+/// Where the bindings and constants of a program begin: chosen by the host for functions, else 0.
+struct places {
+    unsigned set = 0, first_binding = 0, first_constant = 0;
+};
+
+/// The places that a part's first three numbers give.
+constexpr places places_of(const choice& c) {
+    return {static_cast<unsigned>(c.numbers[0]), static_cast<unsigned>(c.numbers[1]),
+            static_cast<unsigned>(c.numbers[2])};
+}
+
+/// Collects what a program is made of, for one plan.
 class program_writer {
 public:
-    constexpr program_writer(const plan& of, std::size_t pass)
-        : plan_(of), pass_(of.passes[pass]), stage_(of.chosen(role::stage)),
-          dialect_(of.chosen(role::dialect).what->dialect_of) {}
+    constexpr program_writer(const plan& of, bool has_main, places at)
+        : plan_(of), has_main_(has_main), at_(at),
+          vulkan_(of.chosen(role::dialect).what->dialect_of == dialect_kind::vulkan),
+          next_id_(at.first_constant) {}
 
-    /// The files of the program after its interface, in order.
-    constexpr file_list files() const {
-        file_list list;
-        const auto add = [&list](const glsl_file* file) {
-            for (const glsl_file* before : list)
-                if (before == file)
-                    return;
-            if (file)
-                list.add(file);
-        };
-        add(&parameters_glsl);
-        add(&types_glsl);
-        for (role r : pass_.what->includes) {
-            const part& p = *plan_.chosen(r).what;
-            for (const glsl_file* helper : p.helpers)
-                add(helper);
-            add(p.glsl);
-        }
-        if (is_main())
-            add(fold());
-        if (pass_.what->input)
-            add(pass_.what->input->glsl);
-        if (!is_functions())
-            add(pass_.result->glsl);
-        add(pass_.what->body);
-        add(stage_.what->glsl);
-        return list;
-    }
+    program out;
 
-    constexpr binding_list bindings() const {
-        binding_list list;
-        list.add({.name = "parameters", .resource = 0, .how = access::uniform});
-        for (role r : pass_.what->includes)
-            for (const resource& used : plan_.chosen(r).what->resources)
-                add_sampled(list, used.name, plan_.index_of(used.name));
-        for (std::string_view name : pass_.what->reads)
-            add_sampled(list, name, plan_.index_of(name));
-        if (pass_.input >= 0)
-            add_sampled(list, "input", static_cast<unsigned>(pass_.input));
-        list.add({.name = "output", .resource = pass_.output, .how = output_access()});
-        number_bindings(list);
-        return list;
-    }
-
-    constexpr constant_list constants() const {
-        constant_list list;
-        unsigned id = is_functions() ? static_cast<unsigned>(stage_.numbers[2]) : 0;
-        const auto add = [&](const choice& c) {
-            for (const constant& before : list)
-                if (before.part == c.what->name)
-                    return;
-            for (std::size_t i = 0; i < c.what->numbers.size(); ++i)
-                list.add({c.what->name, c.what->numbers[i].name, id++, c.numbers[i]});
-        };
-        if (stage_.what->stage_of == stage_kind::compute)
-            add(stage_);
-        for (role r : pass_.what->includes)
-            add(plan_.chosen(r));
-        add(pass_.owner);
-        return list;
-    }
-
-    /// What stands before the files: version, constants and bindings.
-    constexpr interface_text interface() const {
-        interface_text out;
-        if (!is_functions())
-            out << (dialect_ == dialect_kind::vulkan ? "#version 450\n" : "#version 430\n");
-        const constant_list numbers = constants();
-        std::size_t first = 0;
-        if (stage_.what->stage_of == stage_kind::compute) {
-            out << "layout(local_size_x = " << numbers[0].value << ", local_size_y = " << numbers[1].value;
-            if (dialect_ == dialect_kind::vulkan)
-                out << ", local_size_x_id = 0, local_size_y_id = 1";
-            out << ") in;\n";
-            first = 2;
-        }
-        for (std::size_t i = first; i < numbers.size(); ++i) {
-            if (dialect_ == dialect_kind::vulkan)
-                out << "layout(constant_id = " << numbers[i].id << ") ";
-            write_constant(out, numbers[i].part, numbers[i].number, numbers[i].value);
-        }
-        for (const step_constant& c : pass_.what->constants)
-            write_constant(out, pass_.owner.what->name, c.name, c.value);
-        write_constant(out, "", "divisor", static_cast<int>(pass_.divisor));
-        if (pass_.what->input) {
-            write_constant(out, "", "input_divisor", static_cast<int>(pass_.input_divisor));
-            out << "#define crease_decode crease_decode_" << pass_.what->input->name << "\n";
-        }
-        if (!is_functions())
-            out << "#define crease_encode crease_encode_" << pass_.result->name << "\n";
-        const binding_list list = bindings();
-        for (std::size_t i = 1; i < list.size(); ++i)
-            write_declaration(out, list[i]);
-        out << "layout(std140"; // goes on in core/parameters.glsl
-        write_place(out, list[0]);
-        out << ")\n";
-        return out;
-    }
-
-    /// The vertex shader of a fragment pass; empty for the other stages.
-    constexpr std::span<const piece> vertex_pieces() const {
-        if (stage_.what->stage_of != stage_kind::fragment)
-            return {};
-        return dialect_ == dialect_kind::vulkan ? fullscreen_vulkan : fullscreen_opengl;
-    }
-
-    /// The pass without its lists.
-    constexpr pass describe() const {
-        return {.name = pass_.what->name,
-                .stage = stage_.what->stage_of,
-                .dialect = dialect_,
-                .pieces = {},
-                .vertex_pieces = {},
-                .bindings = {},
-                .constants = {},
-                .size = {pass_.divisor}};
-    }
-
-private:
-    constexpr bool is_main() const { return pass_.what == &main_step; }
-    constexpr bool is_functions() const { return stage_.what->stage_of == stage_kind::functions; }
-
-    constexpr const glsl_file* fold() const {
-        const glsl_file* of_source = plan_.chosen(role::depth_source).what->fold;
-        return of_source ? of_source : plan_.chosen(role::estimator).what->fold;
-    }
-
-    constexpr access output_access() const {
-        constexpr access of_stage[] = {access::store, access::attachment, access::result};
-        return of_stage[static_cast<unsigned>(stage_.what->stage_of)];
-    }
-
-    static constexpr void add_sampled(binding_list& list, std::string_view name, unsigned resource) {
-        for (const binding& before : list)
-            if (before.resource == resource)
+    constexpr void add_file(const glsl_file* file) {
+        for (const glsl_file* before : out.files)
+            if (before == file)
                 return;
-        list.add({.name = name, .resource = resource, .how = access::sample});
+        if (file)
+            out.files.add(file);
     }
 
-    static constexpr bool has_slot(const binding& b) {
-        return b.how != access::attachment && b.how != access::result;
+    /// The files of parts of these roles; an extra comes after its part, where another of them needs it.
+    constexpr void add_files_of(std::span<const role> roles) {
+        for (role r : roles)
+            if (const choice* c = plan_.find(r)) {
+                for (const glsl_file* helper : c->what->helpers)
+                    add_file(helper);
+                add_file(c->what->glsl);
+                for (const extra& e : c->what->extras)
+                    for (role other : roles)
+                        if (const choice* o = plan_.find(other); o && has(o->what->needs, e.on_need))
+                            add_file(e.glsl);
+            }
+    }
+
+    constexpr void add_constants_of(const choice& c) {
+        for (const constant& before : out.constants)
+            if (before.part == c.what->name)
+                return;
+        for (std::size_t i = 0; i < c.what->numbers.size(); ++i)
+            if (c.what->numbers[i].in_glsl)
+                out.constants.add({c.what->name, c.what->numbers[i].name, next_id_++, c.numbers[i]});
+    }
+
+    constexpr void add_workgroup(int width, int height) {
+        out.constants.add({"compute", "width", next_id_++, width});
+        out.constants.add({"compute", "height", next_id_++, height});
+    }
+
+    /// @param name  in GLSL; what is there already is not added again
+    constexpr void bind(std::string_view name, unsigned resource, access how) {
+        if (how == access::sample)
+            for (const binding& before : out.bindings)
+                if (before.resource == resource)
+                    return;
+        out.bindings.add({.name = name, .resource = resource, .how = how});
+    }
+
+    constexpr void bind_resources_of(std::span<const role> roles, int view) {
+        for (role r : roles)
+            if (const choice* c = plan_.find(r))
+                for (const resource& used : c->what->resources)
+                    bind(used.name, plan_.index_of(used.name, view), access::sample);
     }
 
     // Vulkan counts all bindings of a set; OpenGL counts blocks, textures and images apart.
-    constexpr void number_bindings(binding_list& list) const {
-        const unsigned first = is_functions() ? static_cast<unsigned>(stage_.numbers[1]) : 0;
-        const bool sets = dialect_ == dialect_kind::vulkan;
+    constexpr void number_bindings() {
+        binding_list& list = out.bindings;
         for (std::size_t i = 0; i < list.size(); ++i) {
-            if (!has_slot(list[i]))
-                continue;
             unsigned before = 0;
+            const bool described = has_descriptor(list[i].how);
             for (std::size_t j = 0; j < i; ++j)
-                before += has_slot(list[j]) && (sets || list[j].how == list[i].how);
-            list[i].slot = first + before;
-            list[i].set = is_functions() && sets ? static_cast<unsigned>(stage_.numbers[0]) : 0;
+                before += described
+                              ? has_descriptor(list[j].how) && (vulkan_ || kind(list[j]) == kind(list[i]))
+                              : list[j].how == list[i].how;
+            list[i].slot = before + (described ? at_.first_binding : 0);
+            list[i].set = described && vulkan_ ? at_.set : 0;
         }
     }
 
-    static constexpr void write_constant(interface_text& out, std::string_view part, std::string_view name,
-                                         int value) {
-        out << "const int crease_" << part << (part.empty() ? "" : "_") << name << " = " << value << ";\n";
+    constexpr void write_version() {
+        if (has_main_)
+            out.interface << (vulkan_ ? "#version 450\n" : "#version 430\n");
     }
 
-    constexpr void write_place(interface_text& out, const binding& b) const {
-        if (dialect_ == dialect_kind::vulkan)
-            out << ", set = " << b.set;
-        out << ", binding = " << b.slot;
+    constexpr void write_workgroup(std::size_t& first) {
+        out.interface << "layout(local_size_x = " << out.constants[0].value
+                      << ", local_size_y = " << out.constants[1].value;
+        if (vulkan_)
+            out.interface << ", local_size_x_id = 0, local_size_y_id = 1";
+        out.interface << ") in;\n";
+        first = 2;
     }
 
-    constexpr void write_declaration(interface_text& out, const binding& b) const {
-        const format texels = plan_.resources[b.resource].texels;
-        const std::string_view prefix = texels == format::r32_uint ? "u" : "";
+    constexpr void write_constants(std::size_t first) {
+        for (std::size_t i = first; i < out.constants.size(); ++i) {
+            const constant& c = out.constants[i];
+            if (vulkan_)
+                out.interface << "layout(constant_id = " << c.id << ") ";
+            write_constant(c.part, c.number, c.value);
+        }
+    }
+
+    constexpr void write_constant(std::string_view part, std::string_view name, int value) {
+        out.interface << "const int crease_" << part << (part.empty() ? "" : "_") << name << " = " << value
+                      << ";\n";
+    }
+
+    /// Which camera the program works for; the text of a second view says it itself.
+    constexpr void write_view(int view) {
+        if (view >= 0)
+            out.interface << "#define crease_view crease_views[" << view
+                          << "]\nconst int crease_view_index = " << view << ";\n";
+    }
+
+    constexpr void write_declarations() {
+        for (std::size_t i = 1; i < out.bindings.size(); ++i)
+            write_declaration(out.bindings[i]);
+        out.interface << "#define crease_parameters_place std140";
+        write_place(out.bindings[0]);
+        out.interface << "\n";
+    }
+
+private:
+    static constexpr int kind(const binding& b) {
+        return b.how == access::modify ? static_cast<int>(access::store) : static_cast<int>(b.how);
+    }
+
+    constexpr void write_place(const binding& b) {
+        if (vulkan_)
+            out.interface << ", set = " << b.set;
+        out.interface << ", binding = " << b.slot;
+    }
+
+    constexpr void write_declaration(const binding& b) {
+        const resource& r = plan_.resources[b.resource];
+        const format_facts texels = facts_of(r.texels);
+        const std::string_view prefix = texels.whole_numbers ? "u" : "";
+        const std::string_view shape = r.samples > 1 ? "2DMS" : r.arrayed ? "2DArray" : "2D";
+        interface_text& text = out.interface;
         if (b.how == access::sample) {
-            out << "layout(" << (dialect_ == dialect_kind::vulkan ? "set = " : "binding = ");
-            if (dialect_ == dialect_kind::vulkan)
-                out << b.set << ", binding = ";
-            out << b.slot << ") uniform " << prefix << "sampler2D crease_" << b.name << ";\n";
-        } else if (b.how == access::store) {
-            out << "layout(" << glsl_format(texels);
-            write_place(out, b);
-            out << ") uniform writeonly " << prefix << "image2D crease_" << b.name << ";\n";
-        } else if (b.how == access::attachment) {
-            out << "layout(location = 0) out " << prefix << "vec4 crease_" << b.name << ";\n";
+            text << "layout(" << (vulkan_ ? "set = " : "binding = ");
+            if (vulkan_)
+                text << b.set << ", binding = ";
+            text << b.slot << ") uniform " << prefix << "sampler" << shape << " crease_" << b.name << ";\n";
+        } else if (b.how == access::store || b.how == access::modify) {
+            text << "layout(" << texels.glsl;
+            write_place(b);
+            text << ") uniform " << (b.how == access::store ? "writeonly " : "") << prefix << "image" << shape
+                 << " crease_" << b.name << ";\n";
+        } else if (b.how == access::attachment && has_main_) {
+            text << "layout(location = " << b.slot << ") out " << prefix << "vec4 crease_" << b.name << ";\n";
         }
     }
 
     const plan& plan_;
-    const planned_pass& pass_;
-    const choice& stage_;
-    dialect_kind dialect_;
+    bool has_main_;
+    places at_;
+    bool vulkan_;
+    unsigned next_id_;
 };
+
+/// How a result leaves a pass: `#define crease_write(pixel, result) ...`, a statement for each image.
+constexpr void write_results(program_writer& to, const plan& p, const planned_pass& pass, stage_kind stage) {
+    const part& output = *p.chosen(role::output).what;
+    interface_text& text = to.out.interface;
+    text << "#define crease_write(pixel, result)";
+    for (std::size_t i = 0; i < pass.outputs.size(); ++i) {
+        const encoding& e = pass.last ? *output.final_images[i] : *output.between;
+        const std::string_view image = i == 0 ? "output" : e.name;
+        if (stage == stage_kind::compute)
+            text << " imageStore(crease_" << image << ", pixel, crease_encode_" << e.name << "(result));";
+        else
+            text << " crease_" << image << " = crease_encode_" << e.name << "(result);";
+    }
+    text << "\n";
+}
+
+constexpr stage_kind stage_of(const plan& p, const planned_pass& pass) {
+    return pass.what->kind == step_kind::evaluate ? p.chosen(role::stage).what->stage_of
+                                                  : stage_kind::compute;
+}
+
+/// A pass of the chain: the main pass or a filter's.
+constexpr program write_evaluate(const plan& p, const planned_pass& pass) {
+    const choice& stage = p.chosen(role::stage);
+    const stage_kind kind = stage.what->stage_of;
+    const bool functions = kind == stage_kind::functions;
+    const part& output = *p.chosen(role::output).what;
+    const std::span<const role> roles = pass.what->includes;
+    program_writer to(p, !functions, functions ? places_of(stage) : places{});
+
+    to.add_file(&parameters_glsl);
+    to.add_file(&types_glsl);
+    to.add_file(output.result);
+    const bool is_main = pass.what == &main_step;
+    if (is_main)
+        to.add_file(&receiver_glsl);
+    to.add_files_of(roles);
+    if (is_main) {
+        const choice* fold = p.find(role::fold);
+        const glsl_file* of_source = p.chosen(role::depth_source).what->fold;
+        const glsl_file* of_three = of_source ? of_source : p.chosen(role::estimator).what->fold;
+        if (!fold)
+            to.add_file(of_three);
+        to.add_file(&gather_glsl);
+    }
+    if (pass.input >= 0)
+        to.add_file(output.between->glsl);
+    if (!functions) {
+        if (!pass.last)
+            to.add_file(output.between->glsl);
+        else
+            for (const encoding* image : output.final_images)
+                to.add_file(image->glsl);
+    }
+    to.add_file(pass.body);
+    to.add_file(stage.what->glsl);
+
+    to.bind("parameters", 0, access::uniform);
+    to.bind_resources_of(roles, 0);
+    for (std::string_view name : pass.what->reads)
+        to.bind(name, p.index_of(name), access::sample);
+    if (pass.input >= 0)
+        to.bind("input", static_cast<unsigned>(pass.input), access::sample);
+    constexpr access of_stage[] = {access::store, access::attachment, access::result};
+    for (std::size_t i = 0; i < pass.outputs.size(); ++i)
+        to.bind(i == 0 ? "output" : p.resources[pass.outputs[i]].name, pass.outputs[i],
+                of_stage[static_cast<unsigned>(kind)]);
+    to.number_bindings();
+
+    if (kind == stage_kind::compute)
+        to.add_workgroup(stage.numbers[0], stage.numbers[1]);
+    for (role r : roles)
+        if (const choice* c = p.find(r))
+            to.add_constants_of(*c);
+    to.add_constants_of(pass.owner);
+
+    std::size_t first = 0;
+    to.write_version();
+    if (kind == stage_kind::compute)
+        to.write_workgroup(first);
+    to.write_constants(first);
+    for (const step_constant& c : pass.what->constants)
+        to.write_constant(pass.owner.what->name, c.name, c.value);
+    to.write_constant("", "divisor", static_cast<int>(pass.size.divisor));
+    if (pass.input >= 0)
+        to.write_constant("", "input_divisor", static_cast<int>(pass.input_divisor));
+    to.write_view(pass.view);
+    if (pass.input >= 0)
+        to.out.interface << "#define crease_decode crease_decode_" << output.between->name << "\n";
+    if (!functions)
+        write_results(to, p, pass, kind);
+    to.write_declarations();
+    return to.out;
+}
+
+constexpr const glsl_file* shell_of(step_kind kind) {
+    return kind == step_kind::build  ? &build_glsl
+           : kind == step_kind::rows ? &build_rows_glsl
+                                     : &build_columns_glsl;
+}
+
+/// A pass of the depth source, which fills what the main pass reads: always a compute program.
+constexpr program write_build(const plan& p, const planned_pass& pass) {
+    const step& s = *pass.what;
+    program_writer to(p, true, {});
+    to.add_file(&parameters_glsl);
+    to.add_file(&types_glsl);
+    to.add_files_of(s.includes);
+    to.add_file(s.body);
+    to.add_file(shell_of(s.kind));
+
+    to.bind("parameters", 0, access::uniform);
+    to.bind_resources_of(s.includes, pass.view);
+    for (std::string_view name : s.reads)
+        to.bind(name, p.index_of(name, pass.view), access::sample);
+    for (std::size_t i = 0; i < pass.outputs.size(); ++i)
+        to.bind(p.resources[pass.outputs[i]].name, pass.outputs[i], access::store);
+    to.number_bindings();
+
+    to.add_workgroup(s.group_width, s.group_height);
+    for (role r : s.includes)
+        if (const choice* c = p.find(r))
+            to.add_constants_of(*c);
+    to.add_constants_of(pass.owner);
+
+    std::size_t first = 0;
+    to.write_version();
+    to.write_workgroup(first);
+    to.write_constants(first);
+    for (const step_constant& c : s.constants)
+        to.write_constant(pass.owner.what->name, c.name, c.value);
+    to.write_constant("", "divisor", static_cast<int>(pass.size.divisor));
+    to.write_view(pass.view);
+    to.out.interface << "#define crease_build_size imageSize(crease_" << p.resources[pass.outputs[0]].name
+                     << ").xy\n";
+    to.write_declarations();
+    return to.out;
+}
+
+}
+
+/// Writes the program of a pass: compile time and run time alike.
+constexpr program write_program(const plan& p, const planned_pass& pass) {
+    return pass.what->kind == step_kind::evaluate ? writing::write_evaluate(p, pass)
+                                                  : writing::write_build(p, pass);
+}
+
+/// Writes what a host adds to its geometry pass.
+constexpr program write_program(const plan& p, const planned_capture& capture) {
+    const capture_step& s = *capture.what;
+    writing::program_writer to(p, false, writing::places_of(capture.owner));
+    to.add_file(&parameters_glsl);
+    to.add_file(&types_glsl);
+    to.add_files_of(s.includes);
+    to.add_file(s.body);
+    to.bind("parameters", 0, access::uniform);
+    for (role r : s.includes)
+        for (const resource& used : p.chosen(r).what->resources)
+            to.bind(used.name, p.index_of(used.name), access::sample);
+    to.bind(s.writes, capture.output, s.how);
+    to.number_bindings();
+    to.add_constants_of(p.chosen(role::depth_source));
+    for (role r : s.includes)
+        to.add_constants_of(p.chosen(r));
+    to.write_constants(0);
+    to.write_view(capture.view);
+    to.write_declarations();
+    return to.out;
+}
+
+/// The pass without its lists.
+constexpr pass describe(const plan& p, const planned_pass& planned) {
+    const stage_kind stage = writing::stage_of(p, planned);
+    const dialect_kind dialect = p.chosen(role::dialect).what->dialect_of;
+    pass described{.name = planned.what->name,
+                   .stage = stage,
+                   .dialect = dialect,
+                   .pieces = {},
+                   .vertex_pieces = {},
+                   .bindings = {},
+                   .constants = {},
+                   .size = planned.size,
+                   .covers = planned.what->kind == step_kind::rows      ? dispatch::rows
+                             : planned.what->kind == step_kind::columns ? dispatch::columns
+                                                                        : dispatch::texels};
+    if (stage == stage_kind::fragment)
+        described.vertex_pieces = dialect == dialect_kind::vulkan ? fullscreen_vulkan : fullscreen_opengl;
+    return described;
+}
+
+/// The capture without its lists.
+constexpr capture describe(const plan& p, const planned_capture& planned) {
+    return {.name = planned.view == 0 ? planned.what->name : p.resources[planned.output].name,
+            .dialect = p.chosen(role::dialect).what->dialect_of,
+            .pieces = {},
+            .bindings = {},
+            .constants = {},
+            .size = p.resources[planned.output].size};
+}
 
 }

@@ -121,7 +121,7 @@ private:
 /// The effect of a recipe: the passes as data, in storage of its own.
 ///
 /// The text of its passes is byte for byte that of the `effect` with the same parts. The object is large
-/// (about 150 KB) and stays where it is made, as its passes view it.
+/// (about 300 KB) and stays where it is made, as its passes view it.
 class composition {
 public:
     /// `from` must make an effect; otherwise there are no passes.
@@ -129,8 +129,10 @@ public:
         if (!from)
             return;
         const plan planned = make_plan(from.choices());
-        for (std::size_t i = 0; i < planned.passes.size(); ++i)
-            add_pass(planned, i);
+        for (const planned_capture& each : planned.captures)
+            captures_.add(described<capture>(planned, each));
+        for (const planned_pass& each : planned.passes)
+            passes_.add(described<pass>(planned, each));
         resources_ = planned.resources;
         features_ = required_features(planned);
         defaults_ = default_parameters({planned.choices.data(), planned.choices.size()});
@@ -139,38 +141,39 @@ public:
     composition& operator=(const composition&) = delete;
 
     effect_view view() const {
-        return {
-            {passes_.data(), passes_.size()}, {resources_.data(), resources_.size()}, features_, defaults_};
+        return {{captures_.data(), captures_.size()},
+                {passes_.data(), passes_.size()},
+                {resources_.data(), resources_.size()},
+                features_,
+                defaults_};
     }
     operator effect_view() const { return view(); }
 
 private:
     struct storage {
-        interface_text interface;
-        glsl_file pieces[33];
+        program written;
+        glsl_file pieces[1 + 40];
         std::size_t piece_count = 0;
-        binding_list bindings;
-        constant_list constants;
     };
 
-    void add_pass(const plan& planned, std::size_t i) {
-        const program_writer writer(planned, i);
-        storage& own = storage_[i];
-        own.interface = writer.interface();
-        own.pieces[own.piece_count++] = {"interface", own.interface.view()};
-        for (const glsl_file* file : writer.files())
+    /// A pass or a capture with its lists.
+    template <class Described, class Planned>
+    Described described(const plan& planned, const Planned& each) {
+        storage& own = storage_[used_++];
+        own.written = write_program(planned, each);
+        own.pieces[own.piece_count++] = {"interface", own.written.interface.view()};
+        for (const glsl_file* file : own.written.files)
             own.pieces[own.piece_count++] = *file;
-        own.bindings = writer.bindings();
-        own.constants = writer.constants();
-        pass p = writer.describe();
-        p.pieces = {own.pieces, own.piece_count};
-        p.vertex_pieces = writer.vertex_pieces();
-        p.bindings = {own.bindings.data(), own.bindings.size()};
-        p.constants = {own.constants.data(), own.constants.size()};
-        passes_.add(p);
+        Described whole = describe(planned, each);
+        whole.pieces = {own.pieces, own.piece_count};
+        whole.bindings = {own.written.bindings.data(), own.written.bindings.size()};
+        whole.constants = {own.written.constants.data(), own.written.constants.size()};
+        return whole;
     }
 
-    storage storage_[most_passes];
+    storage storage_[most_captures + most_passes];
+    std::size_t used_ = 0;
+    fixed_list<capture, most_captures> captures_;
     fixed_list<pass, most_passes> passes_;
     fixed_list<resource, most_resources> resources_;
     device_features features_;

@@ -1,11 +1,11 @@
-// crease::effect: an effect has 12 parts at the most
+// crease::effect: an effect has 16 parts at the most
 // (bilateral)
-// directions/single_layer/hbao/bilateral/bilateral/bilateral/bilateral/bilateral/bilateral/bilateral/bilateral/bilateral/bilateral
+// directions/single_layer/hbao/bilateral/bilateral/bilateral/bilateral/bilateral/bilateral/bilateral/bilateral/bilateral/bilateral/bilateral/bilateral/bilateral/bilateral
 // SPDX-License-Identifier: MIT
 #include <crease/crease.hpp>
 
 using namespace crease;
 
-constexpr auto count =
-    effect<directions<>, single_layer, hbao, bilateral<>, bilateral<>, bilateral<>, bilateral<>, bilateral<>,
-           bilateral<>, bilateral<>, bilateral<>, bilateral<>, bilateral<>>::passes.size();
+constexpr auto count = effect<directions<>, single_layer, hbao, bilateral<>, bilateral<>, bilateral<>,
+                              bilateral<>, bilateral<>, bilateral<>, bilateral<>, bilateral<>, bilateral<>,
+                              bilateral<>, bilateral<>, bilateral<>, bilateral<>, bilateral<>>::passes.size();

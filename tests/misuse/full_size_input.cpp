@@ -6,10 +6,8 @@
 
 // A filter that reads pixels of the picture, like a temporal one.
 struct history {
-    static constexpr crease::step passes[] = {{.name = "history",
-                                               .body = &crease::bilateral_glsl,
-                                               .input = &crease::visibility_depth_encoding,
-                                               .full_size_input = true}};
+    static constexpr crease::step passes[] = {
+        {.name = "history", .body = &crease::bilateral_glsl, .full_size_input = true}};
     static constexpr crease::part description{
         .kind = crease::role::filter, .name = "history", .summary = "", .source = "", .steps = passes};
 };

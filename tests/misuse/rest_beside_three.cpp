@@ -1,4 +1,4 @@
-// crease::effect: a fourth or later part must be a filter, a view part, a stage or a dialect
+// crease::effect: a fourth or later part must not be a sampler, a depth source or an estimator
 // (ssao)
 // directions/single_layer/hbao/ssao
 // SPDX-License-Identifier: MIT

@@ -18,7 +18,7 @@ crease::parameters view_parameters(const picture& p, const crease::effect_view& 
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)
             matrix[column * 4 + row] = static_cast<float>(p.projection[column][row]);
-    crease::set_projection(how, matrix, static_cast<unsigned>(p.width), static_cast<unsigned>(p.height));
+    crease::set_projection(how.view, matrix, static_cast<unsigned>(p.width), static_cast<unsigned>(p.height));
     how.radius = static_cast<float>(radius);
     return how;
 }

@@ -41,7 +41,8 @@ bool same(const constant& a, const constant& b) {
 
 bool same(const resource& a, const resource& b) {
     return a.name == b.name && a.texels == b.texels && a.life == b.life && a.size == b.size &&
-           a.layers == b.layers && a.samples == b.samples;
+           a.layers == b.layers && a.samples == b.samples && a.arrayed == b.arrayed && a.fill == b.fill &&
+           a.count == b.count;
 }
 
 template <class Item>

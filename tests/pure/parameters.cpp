@@ -69,8 +69,8 @@ std::vector<projection> every_projection() {
     return all;
 }
 
-parameters parameters_of(const projection& from) {
-    parameters p;
+view_parameters parameters_of(const projection& from) {
+    view_parameters p;
     float matrix[16];
     std::copy_n(glm::value_ptr(from.matrix), 16, matrix);
     REQUIRE(set_projection(p, matrix, width, height, from.clip));
@@ -95,27 +95,27 @@ bool is_perspective(const projection& p) {
 }
 
 // The formulas of templates/crease/view/perspective.glsl and orthographic.glsl.
-double linear_depth_of(const projection& by, const parameters& p, double device) {
+double linear_depth_of(const projection& by, const view_parameters& p, double device) {
     const double unpacked = device * double(p.depth_unpack[0]) + double(p.depth_unpack[1]);
     return is_perspective(by) ? 1 / unpacked : unpacked;
 }
 
-glm::dvec3 unprojected(const projection& by, const parameters& p, const texel_and_depth& seen) {
+glm::dvec3 unprojected(const projection& by, const view_parameters& p, const texel_and_depth& seen) {
     const double depth = linear_depth_of(by, p, seen.device);
     const double at = is_perspective(by) ? depth : 1;
-    return {(seen.texel.x * double(p.view_from_texel[0]) + double(p.view_from_texel[2])) * at,
-            (seen.texel.y * double(p.view_from_texel[1]) + double(p.view_from_texel[3])) * at, -depth};
+    return {(seen.texel.x * double(p.from_texel[0]) + double(p.from_texel[2])) * at,
+            (seen.texel.y * double(p.from_texel[1]) + double(p.from_texel[3])) * at, -depth};
 }
 
-// The parameters are rounded to float, which near the far plane of a perspective costs the depth in the
+// The view_parameters are rounded to float, which near the far plane of a perspective costs the depth in the
 // square.
-double tolerance(const projection& by, const parameters& p, double depth) {
+double tolerance(const projection& by, const view_parameters& p, double depth) {
     const double rounding = 4.0 * double(std::numeric_limits<float>::epsilon());
     const double sum = std::abs(double(p.depth_unpack[0])) + std::abs(double(p.depth_unpack[1]));
     return rounding * (1 + sum * (is_perspective(by) ? depth * depth : 1) + 10 * depth);
 }
 
-float float_depth_of(const projection& by, const parameters& p, float device) {
+float float_depth_of(const projection& by, const view_parameters& p, float device) {
     const float unpacked = device * p.depth_unpack[0] + p.depth_unpack[1];
     return is_perspective(by) ? 1 / std::max(unpacked, 1e-16f) : unpacked;
 }
@@ -125,25 +125,25 @@ void check_cleared(float near, float far) {
     CAPTURE(near);
     CAPTURE(far);
     const projection standard{"", glm::perspectiveRH_ZO(1.0f, 1.0f, near, far), {}, far};
-    const parameters s = parameters_of(standard);
+    const view_parameters s = parameters_of(standard);
     CHECK(float_depth_of(standard, s, 1) >= s.far_depth);
     const projection reversed{"", glm::perspectiveRH_ZO(1.0f, 1.0f, far, near), {}, far};
-    const parameters r = parameters_of(reversed);
+    const view_parameters r = parameters_of(reversed);
     CHECK(float_depth_of(reversed, r, 0) >= r.far_depth);
 }
 
 bool refused(const float (&matrix)[16], unsigned columns = width, unsigned rows = height) {
-    parameters p;
-    return !set_projection(p, matrix, columns, rows) && p == parameters{};
+    view_parameters p;
+    return !set_projection(p, matrix, columns, rows) && p == view_parameters{};
 }
 
 }
 
-TEST_CASE("a point that a matrix projects is found again by the parameters") {
+TEST_CASE("a point that a matrix projects is found again by the view_parameters") {
     for (const projection& by : every_projection()) {
         CAPTURE(by.name);
         CAPTURE(by.clip.y_up);
-        const parameters p = parameters_of(by);
+        const view_parameters p = parameters_of(by);
         CHECK(p.resolution[0] == width);
         CHECK(p.texel_size[1] * height == doctest::Approx(1));
         for (const double depth : {0.3, 1.0, 7.5, 60.0})
@@ -160,7 +160,7 @@ TEST_CASE("a point that a matrix projects is found again by the parameters") {
 TEST_CASE("the background begins at the far plane") {
     for (const projection& by : every_projection()) {
         CAPTURE(by.name);
-        const parameters p = parameters_of(by);
+        const view_parameters p = parameters_of(by);
         if (by.far_depth == infinity)
             CHECK(p.far_depth > 1e14f);
         else

@@ -71,14 +71,14 @@ TEST_CASE("the interface never outgrows its buffer") {
     const plan p = make_plan(
         recipe("directions:64x64/single_layer/hbao/bilateral:16/upsample:8/compute:1024x1024").choices());
     for (std::size_t i = 0; i < p.passes.size(); ++i)
-        CHECK_FALSE(program_writer(p, i).interface().cut);
+        CHECK_FALSE(write_program(p, p.passes[i]).interface.cut);
 }
 
 TEST_CASE("the host places the bindings and constants of functions") {
     const composition composed(recipe("directions:8x4/single_layer/hbao/functions:2x5x40"));
     const pass& only = composed.view().passes[0];
     CHECK(contains(only.pieces[0].text, "layout(constant_id = 40) const int crease_directions_count = 8;"));
-    CHECK(contains(only.pieces[0].text, "layout(std140, set = 2, binding = 5)"));
+    CHECK(contains(only.pieces[0].text, "crease_parameters_place std140, set = 2, binding = 5"));
     CHECK(contains(only.pieces[0].text, "layout(set = 2, binding = 6) uniform sampler2D crease_depth;"));
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("OpenGL counts blocks, textures and images apart, and has plain consta
     const std::string_view text = composed.view().passes[0].pieces[0].text;
     CHECK(text.starts_with("#version 430\n"));
     CHECK(contains(text, "\nconst int crease_directions_count = 8;"));
-    CHECK(contains(text, "layout(std140, binding = 0)"));
+    CHECK(contains(text, "crease_parameters_place std140, binding = 0"));
     CHECK(contains(text, "layout(binding = 0) uniform sampler2D crease_depth;"));
     CHECK(contains(text, "layout(r8, binding = 0) uniform writeonly image2D crease_output;"));
     CHECK_FALSE(contains(text, "set ="));

@@ -65,11 +65,11 @@ TEST_CASE("numbers out of range are refused as in an effect") {
 
 TEST_CASE("too many parts are refused, however many") {
     std::string text = "directions/single_layer/hbao";
-    for (int i = 0; i < 9; ++i)
+    for (int i = 0; i < 13; ++i)
         text += "/bilateral";
     CHECK(recipe(text));
     text += "/bilateral";
-    CHECK(error_of(text) == "crease::effect: an effect has 12 parts at the most (bilateral)");
+    CHECK(error_of(text) == "crease::effect: an effect has 16 parts at the most (bilateral)");
     for (int i = 0; i < 100; ++i)
         text += "/bilateral";
     CHECK(error_of(text) == "crease::recipe: there are too many parts, beginning with 'bilateral'");

@@ -16,19 +16,27 @@ using namespace crease;
 #define LITTLE_FENCED(...) "\"\n#endif\n" __VA_ARGS__ "#ifdef __cplusplus\n\""
 
 inline constexpr std::string_view block_text = R"(
+struct crease_view_parameters {
+    vec4 from_texel;
+    vec2 depth_unpack;
+    float far_depth;
+    float guard;
+    vec2 resolution;
+    vec2 texel_size;
+};
+
 layout(std140, set = 0, binding = 0) uniform crease_parameters {
-    vec4 crease_view_from_texel;
-    vec2 crease_depth_unpack;
-    float crease_far_depth;
+    crease_view_parameters crease_views[2];
+    mat4 crease_second_from_first;
     float crease_radius;
-    vec2 crease_resolution;
-    vec2 crease_texel_size;
     float crease_bias;
     float crease_threshold;
     float crease_strength;
     float crease_exponent;
     float crease_sharpness;
     uint crease_frame;
+    float crease_opacity;
+    float crease_front_reach;
 };
 )";
 
@@ -100,6 +108,7 @@ inline constexpr pass spread{.name = "spread",
                              .size = {1}};
 inline constexpr pass passes[] = {scale, spread};
 
-inline constexpr effect_view effect{.passes = passes, .resources = resources, .features = {}, .defaults = {}};
+inline constexpr effect_view effect{
+    .captures = {}, .passes = passes, .resources = resources, .features = {}, .defaults = {}};
 
 }

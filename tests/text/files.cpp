@@ -24,6 +24,8 @@ std::string read(const fs::path& path) {
 // What the interface of a program declares for its files, one of everything.
 constexpr std::string_view prelude = R"(#version 450
 const int crease_divisor = 1;
+#define crease_view crease_views[0]
+const int crease_view_index = 0;
 const int crease_input_divisor = 2;
 layout(set = 0, binding = 1) uniform sampler2D crease_depth;
 layout(set = 0, binding = 2) uniform sampler2D crease_normal;
@@ -55,6 +57,9 @@ std::string structs_for(const std::string& text) {
         const std::size_t begin = from.find(wanted);
         structs += from.substr(begin, from.find(ends, begin) + ends.size() - begin) + "\n";
     };
+    add("crease_result", "output/visibility_result.glsl", "};");
+    add("crease_receiver", "core/receiver.glsl", "};");
+    add("crease_gathered", "output/visibility_only.glsl", "};");
     add("crease_layers", "depth/single_layer.glsl", "};");
     const bool points =
         text.find(".point") != std::string::npos || text.find("hemisphere") != std::string::npos;
@@ -77,8 +82,8 @@ TEST_CASE("each GLSL file alone") {
         CAPTURE(name);
         const std::string own = read(entry.path());
         CHECK(own.size() <= crease::glsl_file::longest);
-        const std::string before =
-            std::string(prelude) + constants() + "layout(std140, set = 0, binding = 0)\n";
+        const std::string before = std::string(prelude) + constants() +
+                                   "#define crease_parameters_place std140, set = 0, binding = 0\n";
         const std::string text = structs_for(own);
         const crease::piece pieces[] = {{"prelude", before}, crease::parameters_glsl,
                                         crease::types_glsl,  {"structs", text},
@@ -93,10 +98,11 @@ TEST_CASE("each GLSL file alone") {
 TEST_CASE("an error names the file and its line") {
     const std::string wrong =
         read(fs::path(CREASE_TEMPLATES) / "core/noise.glsl") + "float broken = nothing;\n";
-    const crease::piece pieces[] = {{"interface", "#version 450\nlayout(std140, set = 0, binding = 0)\n"},
-                                    crease::parameters_glsl,
-                                    {"core/noise.glsl", wrong},
-                                    {"end", "void main() {}\n"}};
+    const crease::piece pieces[] = {
+        {"interface", "#version 450\n#define crease_parameters_place std140, set = 0, binding = 0\n"},
+        crease::parameters_glsl,
+        {"core/noise.glsl", wrong},
+        {"end", "void main() {}\n"}};
     const long line = std::count(wrong.begin(), wrong.end(), '\n');
     CHECK_THROWS_WITH_AS(crease::spirv::compile(pieces, crease::spirv::shader_stage::compute),
                          doctest::Contains(("core/noise.glsl:" + std::to_string(line)).c_str()),

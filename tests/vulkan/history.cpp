@@ -54,7 +54,8 @@ constexpr pass passes[] = {{.name = "add",
 constexpr resource resources[] = {{.name = "parameters"},
                                   {.name = "kept", .texels = format::rgba16_float, .life = lifetime::history},
                                   {.name = "sum", .texels = format::rgba16_float, .life = lifetime::output}};
-constexpr effect_view accumulate{.passes = passes, .resources = resources, .features = {}, .defaults = {}};
+constexpr effect_view accumulate{
+    .captures = {}, .passes = passes, .resources = resources, .features = {}, .defaults = {}};
 
 }
 

@@ -116,5 +116,5 @@ TEST_CASE("what a rasteriser refuses") {
     vulkan::rasteriser rasteriser(device, options, 4, 4);
     const vulkan::mesh mesh(device, two_triangles(0.25f, 0.5f));
     CHECK(sentence_of([&] { rasteriser.draw(mesh); }) ==
-          "the rasteriser takes 16 bytes of push constants, not 0");
+          "the geometry's shaders take 16 bytes of push constants, not 0");
 }

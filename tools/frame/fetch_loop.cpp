@@ -45,7 +45,7 @@ double time_fetch_loop(vulkan::device& device, const gbuffer& inputs, unsigned r
                             .bindings = bindings,
                             .constants = constants,
                             .size = {}}};
-    vulkan::runner runner(device, {passes, resources, {}, {}}, inputs.depth.width, inputs.depth.height);
+    vulkan::runner runner(device, {{}, passes, resources, {}, {}}, inputs.depth.width, inputs.depth.height);
     runner.upload("depth", inputs.device);
     runner.run(parameters{}); // the first run compiles
     std::vector<double> times;

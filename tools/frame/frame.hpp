@@ -15,7 +15,7 @@ namespace crease::tools {
 
 /// What the rasteriser makes of a scene: the inputs of an effect.
 struct gbuffer {
-    parameters view;           ///< the projection and the resolution
+    view_parameters view;      ///< the projection and the resolution
     std::vector<float> device; ///< device depth, 1 where there is background
     image depth;  ///< positive linear view depth; the camera's far plane where there is background
     image normal; ///< view space, unit, geometric, facing the camera; 0 where there is background

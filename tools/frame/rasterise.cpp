@@ -62,8 +62,8 @@ glm::mat4 projection_matrix(const camera& from) {
     return matrix;
 }
 
-parameters view_of(const camera& from, const glm::mat4& projection) {
-    parameters view;
+view_parameters view_of(const camera& from, const glm::mat4& projection) {
+    view_parameters view;
     float matrix[16];
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)

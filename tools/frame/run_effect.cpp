@@ -47,13 +47,10 @@ frame run_effect(vulkan::device& device, const recipe& chosen, const gbuffer& in
     parameters how = settle(chosen, options);
     const auto composed = std::make_unique<composition>(chosen);
     const effect_view effect = composed->view();
-    if (effect.passes[0].stage == stage_kind::functions || effect.passes[0].dialect != dialect_kind::vulkan)
+    if (effect.passes.back().stage == stage_kind::functions ||
+        effect.passes.back().dialect != dialect_kind::vulkan)
         throw std::runtime_error("a recipe that is run is of programs in the vulkan dialect");
-    how.far_depth = inputs.view.far_depth;
-    std::copy_n(inputs.view.view_from_texel, 4, how.view_from_texel);
-    std::copy_n(inputs.view.depth_unpack, 2, how.depth_unpack);
-    std::copy_n(inputs.view.resolution, 2, how.resolution);
-    std::copy_n(inputs.view.texel_size, 2, how.texel_size);
+    how.view = inputs.view;
     vulkan::runner runner(device, effect, inputs.depth.width, inputs.depth.height);
     upload_inputs(runner, effect, inputs);
     frame made{.visibility = image(inputs.depth.width, inputs.depth.height),

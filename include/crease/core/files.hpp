@@ -15,9 +15,34 @@ inline constexpr glsl_file types_glsl{
 #include <crease/core/types.glsl>
 };
 
+inline constexpr glsl_file receiver_glsl{
+    "core/receiver.glsl",
+#include <crease/core/receiver.glsl>
+};
+
+inline constexpr glsl_file gather_glsl{
+    "core/gather.glsl",
+#include <crease/core/gather.glsl>
+};
+
 inline constexpr glsl_file visibility_glsl{
     "core/visibility.glsl",
 #include <crease/core/visibility.glsl>
+};
+
+inline constexpr glsl_file build_glsl{
+    "stage/build.glsl",
+#include <crease/stage/build.glsl>
+};
+
+inline constexpr glsl_file build_rows_glsl{
+    "stage/build_rows.glsl",
+#include <crease/stage/build_rows.glsl>
+};
+
+inline constexpr glsl_file build_columns_glsl{
+    "stage/build_columns.glsl",
+#include <crease/stage/build_columns.glsl>
 };
 
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/encoding.hpp>
 #include <crease/part.hpp>
 
 namespace crease {
@@ -20,14 +19,8 @@ struct bilateral_part {
     static constexpr step_constant across[] = {{"axis", 0}};
     static constexpr step_constant down[] = {{"axis", 1}};
     static constexpr step passes[] = {
-        {.name = "bilateral_x",
-         .body = &bilateral_glsl,
-         .constants = across,
-         .input = &visibility_depth_encoding},
-        {.name = "bilateral_y",
-         .body = &bilateral_glsl,
-         .constants = down,
-         .input = &visibility_depth_encoding},
+        {.name = "bilateral_x", .body = &bilateral_glsl, .constants = across},
+        {.name = "bilateral_y", .body = &bilateral_glsl, .constants = down},
     };
     static constexpr part description{
         .kind = role::filter,

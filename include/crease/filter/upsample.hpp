@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/encoding.hpp>
 #include <crease/part.hpp>
 
 namespace crease {
@@ -19,7 +18,7 @@ struct upsample_part {
     };
     static constexpr role view[] = {role::projection, role::depth_encoding};
     static constexpr step passes[] = {
-        {.name = "upsample", .body = &upsample_glsl, .includes = view, .input = &visibility_depth_encoding},
+        {.name = "upsample", .body = &upsample_glsl, .includes = view},
     };
     static constexpr part description{
         .kind = role::filter,

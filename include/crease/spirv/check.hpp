@@ -19,34 +19,23 @@ struct mirrored_member {
 };
 
 inline constexpr mirrored_member parameter_members[] = {
-    {"crease_view_from_texel", offsetof(parameters, view_from_texel)},
-    {"crease_depth_unpack", offsetof(parameters, depth_unpack)},
-    {"crease_far_depth", offsetof(parameters, far_depth)},
+    {"crease_views", offsetof(parameters, view)},
+    {"crease_second_from_first", offsetof(parameters, second_from_first)},
     {"crease_radius", offsetof(parameters, radius)},
-    {"crease_resolution", offsetof(parameters, resolution)},
-    {"crease_texel_size", offsetof(parameters, texel_size)},
     {"crease_bias", offsetof(parameters, bias)},
     {"crease_threshold", offsetof(parameters, threshold)},
     {"crease_strength", offsetof(parameters, strength)},
     {"crease_exponent", offsetof(parameters, exponent)},
     {"crease_sharpness", offsetof(parameters, sharpness)},
     {"crease_frame", offsetof(parameters, frame)},
+    {"crease_opacity", offsetof(parameters, opacity)},
+    {"crease_front_reach", offsetof(parameters, front_reach)},
 };
-
-constexpr std::string_view name_of(format f) {
-    constexpr std::string_view names[] = {"none",      "r8_unorm",     "r32_uint",
-                                          "r32_float", "rgba16_float", "d32_float"};
-    return names[static_cast<unsigned>(f)];
-}
 
 constexpr std::string_view name_of(binding_kind kind) {
     constexpr std::string_view names[] = {"a uniform block", "a storage block", "a sampled image",
                                           "a storage image", "another kind of descriptor"};
     return names[static_cast<unsigned>(kind)];
-}
-
-constexpr bool has_descriptor(access how) {
-    return how != access::attachment && how != access::result;
 }
 
 constexpr binding_kind kind_of(access how) {
@@ -92,14 +81,22 @@ private:
             say(std::string("the SPIR-V is not a ") + (compute ? "compute" : "fragment") + " shader");
         if (found_.entry_point != "main")
             say("the entry point is '" + found_.entry_point + "', not 'main'");
-        const bool attached = std::ranges::any_of(
-            declared_.bindings, [](const binding& b) { return b.how == access::attachment; });
-        const bool outputs = found_.colours.size() == 1 && found_.colours[0].location == 0;
-        if (attached && !outputs)
-            say("its attachment wants one colour output of location 0, but the SPIR-V has " +
-                std::to_string(found_.colours.size()) + " colour outputs" +
-                (found_.colours.size() == 1 ? ", of location " + std::to_string(found_.colours[0].location)
-                                            : ""));
+        std::vector<std::uint32_t> declared, found;
+        for (const binding& b : declared_.bindings)
+            if (b.how == access::attachment)
+                declared.push_back(b.slot);
+        for (const colour_output& colour : found_.colours)
+            found.push_back(colour.location);
+        if (!compute && declared != found)
+            say("its attachments want colour outputs of " + locations(declared) + ", but the SPIR-V has " +
+                locations(found));
+    }
+
+    static std::string locations(const std::vector<std::uint32_t>& all) {
+        std::string text = all.empty() ? "no location" : all.size() == 1 ? "location" : "locations";
+        for (std::size_t i = 0; i < all.size(); ++i)
+            text += (i == 0 ? " " : ", ") + std::to_string(all[i]);
+        return text;
     }
 
     void compare_bindings() {
@@ -136,18 +133,19 @@ private:
         if (b.how == access::uniform)
             return compare_block(f);
         const resource& image = effect_.resources[b.resource];
-        if (b.how == access::store)
-            differ("the format of " + name, std::string(name_of(image.texels)),
-                   std::string(name_of(f.texels)));
-        if (b.how == access::store && !f.writable)
+        const bool stored = b.how == access::store || b.how == access::modify;
+        if (stored)
+            differ("the format of " + name, std::string(facts_of(image.texels).name),
+                   std::string(facts_of(f.texels).name));
+        if (stored && !f.writable)
             say(name + " is declared as stored to, but the SPIR-V only reads it");
-        const bool whole_numbers = image.texels == format::r32_uint;
+        const bool whole_numbers = facts_of(image.texels).whole_numbers;
         if (f.component != (whole_numbers ? scalar_kind::unsigned_integer : scalar_kind::floating_point))
-            say(name + " holds " + std::string(name_of(image.texels)) +
+            say(name + " holds " + std::string(facts_of(image.texels).name) +
                 ", which the SPIR-V accesses as another type");
-        if (f.arrayed != (image.layers > 1))
-            say(name + " is declared with " + std::to_string(image.layers) +
-                " layers, but in the SPIR-V it is " + (f.arrayed ? "an array" : "no array"));
+        if (f.arrayed != image.arrayed)
+            say(name + " is declared as " + (image.arrayed ? "an array" : "no array") +
+                ", but in the SPIR-V it is " + (f.arrayed ? "one" : "none"));
         if (f.multisampled != (image.samples > 1))
             say(name + " is declared with " + std::to_string(image.samples) +
                 " samples, but in the SPIR-V it is " +

@@ -19,6 +19,12 @@ constexpr format format_of(spv::ImageFormat of) {
         return format::r32_float;
     case spv::ImageFormatRgba16f:
         return format::rgba16_float;
+    case spv::ImageFormatRg32ui:
+        return format::rg32_uint;
+    case spv::ImageFormatRg32f:
+        return format::rg32_float;
+    case spv::ImageFormatRgba32f:
+        return format::rgba32_float;
     default:
         return format::none;
     }

@@ -12,7 +12,8 @@ inline constexpr glsl_file device_depth_glsl{
 
 /// Depth encoding: the depth image is the depth buffer, in [0, 1]. The default.
 struct device_depth {
-    static constexpr resource inputs[] = {{"depth", format::d32_float}};
+    static constexpr resource inputs[] = {
+        {.name = "depth", .texels = format::d32_float, .size = {.guarded = true}}};
     static constexpr part description{
         .kind = role::depth_encoding,
         .name = "device_depth",

@@ -12,7 +12,8 @@ inline constexpr glsl_file given_normals_glsl{
 
 /// Normals: an image of view-space normals that face the camera. The default.
 struct given_normals {
-    static constexpr resource inputs[] = {{"normal", format::rgba16_float}};
+    static constexpr resource inputs[] = {
+        {.name = "normal", .texels = format::rgba16_float, .size = {.guarded = true}}};
     static constexpr part description{
         .kind = role::normals,
         .name = "given_normals",

@@ -12,7 +12,8 @@ inline constexpr glsl_file linear_depth_glsl{
 
 /// Depth encoding: the depth image holds positive linear view depth.
 struct linear_depth {
-    static constexpr resource inputs[] = {{"depth", format::r32_float}};
+    static constexpr resource inputs[] = {
+        {.name = "depth", .texels = format::r32_float, .size = {.guarded = true}}};
     static constexpr part description{
         .kind = role::depth_encoding,
         .name = "linear_depth",

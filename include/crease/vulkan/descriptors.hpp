@@ -11,10 +11,6 @@
 
 namespace crease::vulkan::detail {
 
-constexpr bool has_descriptor(access how) {
-    return how != access::attachment && how != access::result;
-}
-
 constexpr VkDescriptorType descriptor_of(access how) {
     return how == access::uniform  ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
            : how == access::sample ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
@@ -25,14 +21,26 @@ constexpr VkDescriptorType descriptor_of(access how) {
 constexpr image_use shader_use_of(access how, VkPipelineStageFlags stage) {
     if (how == access::store)
         return {stage, VK_ACCESS_SHADER_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, true};
+    if (how == access::modify)
+        return {stage, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, true};
     return {stage, VK_ACCESS_SHADER_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false};
 }
 
-/// The descriptor sets of one pass, and the pipeline layout they make.
+inline owned_sampler make_nearest_sampler(const device& on) {
+    auto info = blank<VkSamplerCreateInfo>(VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO);
+    info.magFilter = info.minFilter = VK_FILTER_NEAREST;
+    info.addressModeU = info.addressModeV = info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    return make<owned_sampler>(on.handle(), vkCreateSampler, info, "a sampler");
+}
+
+/// The descriptor sets of one program, and the pipeline layout they make.
 class descriptors {
 public:
-    descriptors(const device& on, const pass& of, VkShaderStageFlags stage) : device_(on.handle()) {
-        std::ranges::copy_if(of.bindings, std::back_inserter(bindings_),
+    /// @param push_bytes  of push constants, which the stages of `pushed_to` read
+    descriptors(const device& on, std::span<const binding> of, VkShaderStageFlags stage,
+                std::uint32_t push_bytes = 0, VkShaderStageFlags pushed_to = 0)
+        : device_(on.handle()) {
+        std::ranges::copy_if(of, std::back_inserter(bindings_),
                              [](const binding& b) { return has_descriptor(b.how); });
         std::uint32_t set_count = 0;
         for (const binding& b : bindings_)
@@ -44,6 +52,9 @@ public:
         auto info = blank<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
         info.setLayoutCount = set_count;
         info.pSetLayouts = handles.data();
+        const VkPushConstantRange push{pushed_to, 0, push_bytes};
+        info.pushConstantRangeCount = push_bytes ? 1 : 0;
+        info.pPushConstantRanges = &push;
         layout_ = make<owned_pipeline_layout>(device_, vkCreatePipelineLayout, info, "a pipeline layout");
         if (!bindings_.empty())
             allocate_sets(handles);

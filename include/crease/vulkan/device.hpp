@@ -88,10 +88,9 @@ private:
     void make_queue() {
         VkPhysicalDeviceFeatures supported, enabled{};
         vkGetPhysicalDeviceFeatures(selected_.physical, &supported);
-        features_ = detail::features_of(supported);
+        features_ = detail::features_of(supported, selected_.properties.limits);
         for (const detail::known_feature& known : detail::known_features)
             enabled.*known.flag = supported.*known.flag;
-        enabled.fragmentStoresAndAtomics = supported.fragmentStoresAndAtomics;
 
         constexpr float priority = 1;
         auto queue = detail::blank<VkDeviceQueueCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO);

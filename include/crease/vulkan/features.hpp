@@ -16,14 +16,18 @@ struct known_feature {
     const char* name;
 };
 
-/// All of them: a new field of crease::device_features needs one line here.
+/// All that Vulkan has as a flag: a new one in crease::device_features needs one line here.
 inline constexpr known_feature known_features[] = {
     {&device_features::extended_storage_formats, &VkPhysicalDeviceFeatures::shaderStorageImageExtendedFormats,
      "shaderStorageImageExtendedFormats"},
+    {&device_features::fragment_stores_and_atomics, &VkPhysicalDeviceFeatures::fragmentStoresAndAtomics,
+     "fragmentStoresAndAtomics"},
 };
 
-constexpr device_features features_of(const VkPhysicalDeviceFeatures& supported) {
+constexpr device_features features_of(const VkPhysicalDeviceFeatures& supported,
+                                      const VkPhysicalDeviceLimits& limits) {
     device_features features;
+    features.depth_samples = limits.framebufferDepthSampleCounts & limits.sampledImageDepthSampleCounts;
     for (const known_feature& known : known_features)
         features.*known.field = supported.*known.flag;
     return features;
@@ -35,6 +39,10 @@ inline std::string missing_features(const device_features& there, const device_f
     for (const known_feature& known : known_features)
         if (wanted.*known.field && !(there.*known.field))
             missing.append(missing.empty() ? "" : ", ").append(known.name);
+    for (unsigned samples = 1; samples <= wanted.depth_samples; samples *= 2)
+        if (wanted.depth_samples & ~there.depth_samples & samples)
+            missing.append(missing.empty() ? "" : ", ")
+                .append("depth images of " + std::to_string(samples) + " samples a texel");
     return missing;
 }
 

@@ -12,6 +12,7 @@ struct image_description {
     format texels = format::none;
     std::uint32_t width = 0, height = 0; ///< texels
     std::uint32_t layers = 1, samples = 1;
+    bool arrayed = false; ///< seen as an array, also where it has one layer
     VkImageUsageFlags usage = 0;
 };
 
@@ -72,6 +73,9 @@ public:
     }
     VkImageSubresourceRange range() const { return {aspect(), 0, 1, 0, description_.layers}; }
 
+    /// Whether any command has used it.
+    bool is_used() const { return last_.layout != VK_IMAGE_LAYOUT_UNDEFINED; }
+
     /// Records the barrier that the next use needs after the last one.
     void transition(VkCommandBuffer commands, const image_use& next) {
         const bool both_read = !last_.writes && !next.writes && last_.layout == next.layout;
@@ -107,7 +111,7 @@ private:
     void make_view(const device& on, const std::string& what) {
         auto view = detail::blank<VkImageViewCreateInfo>(VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO);
         view.image = handle_;
-        view.viewType = description_.layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
+        view.viewType = description_.arrayed ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
         view.format = detail::texel_of(description_.texels).format;
         view.subresourceRange = range();
         view_ =

@@ -13,21 +13,20 @@ namespace crease::vulkan::detail {
 class prepared_pass {
 public:
     /// @param values  of the pass's constants, in their order
-    /// @param output  of the resource that the pass writes; the image that a fragment pass draws to
-    /// @param width,height  of the output, texels
+    /// @param outputs  the images that the pass writes
+    /// @param size     of the outputs, texels
     prepared_pass(const device& on, const pass& of, const pass_shaders& shaders,
-                  std::span<const std::int32_t> values, image* output, std::uint32_t width,
-                  std::uint32_t height)
+                  std::span<const std::int32_t> values, const std::vector<image*>& outputs, VkExtent2D size)
         : pass_(of), compute_(of.stage == stage_kind::compute),
-          descriptors_(on, of, compute_ ? VK_SHADER_STAGE_COMPUTE_BIT : VK_SHADER_STAGE_FRAGMENT_BIT) {
+          descriptors_(on, of.bindings,
+                       compute_ ? VK_SHADER_STAGE_COMPUTE_BIT : VK_SHADER_STAGE_FRAGMENT_BIT) {
         const specialization constants(of.constants, values);
         if (compute_) {
-            plan_groups(on, values, width, height);
+            plan_groups(on, values, size);
             pipeline_ = make_compute_pipeline(on, shaders.main, descriptors_.layout(), constants);
             return;
         }
-        target_ =
-            std::make_unique<render_target>(on, std::vector{output}, nullptr, earlier_content::overwritten);
+        target_ = std::make_unique<render_target>(on, outputs, nullptr, size, earlier_content::overwritten);
         pipeline_ = make_graphics_pipeline(on, {.vertex = shaders.vertex,
                                                 .fragment = shaders.main,
                                                 .layout = descriptors_.layout(),
@@ -47,7 +46,7 @@ public:
         const VkPipelineStageFlags stage =
             compute_ ? VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT : VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT;
         for (const binding& b : pass_.bindings)
-            if (b.how == access::sample || b.how == access::store)
+            if (b.resource != 0 && has_descriptor(b.how))
                 images[b.resource]->transition(commands, shader_use_of(b.how, stage));
         const VkPipelineBindPoint point =
             compute_ ? VK_PIPELINE_BIND_POINT_COMPUTE : VK_PIPELINE_BIND_POINT_GRAPHICS;
@@ -70,10 +69,10 @@ private:
     owned_pipeline pipeline_;
     std::uint32_t groups_[2] = {0, 0};
 
-    void plan_groups(const device& on, std::span<const std::int32_t> values, std::uint32_t width,
-                     std::uint32_t height) {
+    void plan_groups(const device& on, std::span<const std::int32_t> values, VkExtent2D texels_of) {
         const VkPhysicalDeviceLimits& most = on.limits();
-        const std::uint32_t texels[] = {width, height};
+        const std::uint32_t texels[] = {texels_of.width, texels_of.height};
+        const bool in_lines[] = {pass_.covers == dispatch::columns, pass_.covers == dispatch::rows};
         std::uint64_t invocations = 1;
         for (std::size_t axis = 0; axis < 2; ++axis) {
             const auto size = static_cast<std::uint32_t>(values[axis]);
@@ -82,7 +81,9 @@ private:
                 invocations > most.maxComputeWorkGroupInvocations)
                 throw error("pass '" + name() + "' wants workgroups of " + std::to_string(values[0]) + " x " +
                             std::to_string(values[1]) + ", which the device '" + on.name() + "' cannot run");
-            groups_[axis] = (texels[axis] + size - 1) / size;
+            groups_[axis] = in_lines[axis]                     ? texels[axis]
+                            : pass_.covers == dispatch::texels ? (texels[axis] + size - 1) / size
+                                                               : 1;
             if (groups_[axis] > most.maxComputeWorkGroupCount[axis])
                 throw error("pass '" + name() + "' wants " + std::to_string(groups_[axis]) +
                             " workgroups in a row, more than the device '" + on.name() + "' can run");

@@ -22,10 +22,12 @@ enum class earlier_content : unsigned char { overwritten, cleared };
 /// Images of one size that are drawn to together. They must outlive it.
 class render_target {
 public:
-    /// @param colours  one or more, locations 0, 1, ...
+    /// @param colours  locations 0, 1, ...
     /// @param depth    null: no depth test
-    render_target(const device& on, std::vector<image*> colours, image* depth, earlier_content earlier)
-        : colours_(std::move(colours)), depth_(depth) {
+    /// @param size     texels, of all images; of none there need be any
+    render_target(const device& on, std::vector<image*> colours, image* depth, VkExtent2D size,
+                  earlier_content earlier)
+        : colours_(std::move(colours)), depth_(depth), size_(size) {
         const VkAttachmentLoadOp load = earlier == earlier_content::cleared ? VK_ATTACHMENT_LOAD_OP_CLEAR
                                                                             : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
         std::vector<VkAttachmentDescription> attachments;
@@ -56,8 +58,8 @@ public:
         frame.renderPass = render_pass_;
         frame.attachmentCount = static_cast<std::uint32_t>(views.size());
         frame.pAttachments = views.data();
-        frame.width = size().width;
-        frame.height = size().height;
+        frame.width = size.width;
+        frame.height = size.height;
         frame.layers = 1;
         framebuffer_ = make<owned_framebuffer>(on.handle(), vkCreateFramebuffer, frame, "a framebuffer");
     }
@@ -65,9 +67,11 @@ public:
     VkRenderPass render_pass() const { return render_pass_; }
     std::uint32_t colour_count() const { return static_cast<std::uint32_t>(colours_.size()); }
     bool has_depth() const { return depth_ != nullptr; }
-    VkExtent2D size() const { return {colours_[0]->description().width, colours_[0]->description().height}; }
+    VkExtent2D size() const { return size_; }
     VkSampleCountFlagBits samples() const {
-        return static_cast<VkSampleCountFlagBits>(colours_[0]->description().samples);
+        const std::vector<image*> all = attached();
+        return all.empty() ? VK_SAMPLE_COUNT_1_BIT
+                           : static_cast<VkSampleCountFlagBits>(all[0]->description().samples);
     }
 
     /// Begins to draw. Where it clears, colours become 0.
@@ -93,6 +97,7 @@ public:
 private:
     std::vector<image*> colours_;
     image* depth_;
+    VkExtent2D size_;
     owned_render_pass render_pass_;
     owned_framebuffer framebuffer_;
 

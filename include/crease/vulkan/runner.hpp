@@ -14,6 +14,8 @@
 namespace crease::vulkan {
 
 struct runner_options {
+    unsigned guard =
+        0; ///< width of the guard band around the picture, texels: of depth, normals and captures
     std::map<std::string, int> constants; ///< values other than the defaults, by "part.number"
     std::vector<pass_shaders> shaders;    ///< one for each pass, as compile() gives them; empty: compile them
 };
@@ -35,28 +37,29 @@ public:
     /// @throws spirv::error  where a pass does not compile
     runner(device& on, const effect_view& effect, std::uint32_t width, std::uint32_t height,
            const runner_options& options = {})
-        : device_(on), effect_(effect), width_(width), height_(height),
+        : device_(on), effect_(effect), width_(width), height_(height), guard_(options.guard),
           parameters_(on, sizeof(parameters), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, transfer::to_device,
                       "parameters"),
           timestamps_(on, static_cast<std::uint32_t>(effect.passes.size()) + 1),
-          own_(effect.resources.size()), current_(effect.resources.size()) {
+          sampler_(detail::make_nearest_sampler(on)), own_(effect.resources.size()),
+          current_(effect.resources.size()) {
         if (width == 0 || height == 0)
             throw error("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                         " texels cannot be rendered");
         on.require(effect.features);
         expect_known(options.constants);
-        make_sampler();
         for (std::size_t i = 0; i < effect.resources.size(); ++i)
             if (is_image(i) && effect.resources[i].life != lifetime::input)
                 make_image(i);
         clear_history();
+        fill_constants();
         prepare(options);
         on.check_messages();
     }
 
-    /// Fills an input, given by its resource's name, with the texels of an image of its declared size and
-    /// format: row after row from the top, layer after layer. Real numbers suit all formats but r32_uint; of
-    /// rgba16_float they are four a texel.
+    /// Fills an input, given by its resource's name, with the texels of an image of its declared size, guard
+    /// band included, and format: row after row from the top, layer after layer. Real numbers suit all
+    /// formats but r32_uint; of rgba16_float they are four a texel.
     /// @throws error  where there is no such input, or the count is another
     void upload(std::string_view name, std::span<const float> numbers) {
         vulkan::upload(device_, own_input(name), numbers);
@@ -80,11 +83,14 @@ public:
 
     /// Runs all passes once and waits for them.
     /// @return the time of each pass, in order
-    /// @throws error  where an input was neither uploaded nor bound
+    /// @throws error  where an input was neither uploaded nor bound, or nothing was drawn for a capture
     std::vector<pass_time> run(const parameters& values) {
         for (std::size_t i = 0; i < current_.size(); ++i)
             if (is_image(i) && !current_[i])
                 throw error("the input " + quoted(i) + " was neither uploaded nor bound");
+        for (const capture& each : effect_.captures)
+            if (!current_[each.bindings.back().resource]->is_used())
+                throw error("nothing was drawn for the capture '" + std::string(each.name) + "'");
         if (descriptors_are_old_)
             for (const detail::prepared_pass& each : passes_)
                 each.write_descriptors(current_, parameters_, sampler_);
@@ -136,7 +142,7 @@ public:
 private:
     device& device_;
     effect_view effect_;
-    std::uint32_t width_, height_;
+    std::uint32_t width_, height_, guard_;
     buffer parameters_;
     detail::timestamps timestamps_;
     detail::owned_sampler sampler_;
@@ -148,21 +154,24 @@ private:
     bool is_image(std::size_t i) const { return effect_.resources[i].texels != format::none; }
     std::string quoted(std::size_t i) const { return "'" + std::string(effect_.resources[i].name) + "'"; }
 
-    void make_sampler() {
-        auto info = detail::blank<VkSamplerCreateInfo>(VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO);
-        info.magFilter = info.minFilter = VK_FILTER_NEAREST;
-        info.addressModeU = info.addressModeV = info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-        sampler_ = detail::make<detail::owned_sampler>(device_.handle(), vkCreateSampler, info, "a sampler");
+    VkExtent2D size_of(const extent& size) const {
+        return {size.width_of(width_, guard_), size.height_of(height_, guard_)};
     }
 
     VkImageUsageFlags usage_of(std::size_t i) const {
-        VkImageUsageFlags usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+        const bool multisampled = effect_.resources[i].samples > 1;
+        VkImageUsageFlags usage =
+            multisampled ? 0u : VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+        for (const capture& each : effect_.captures)
+            if (each.bindings.back().resource == i)
+                usage |= each.to_attachment() ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
+                                              : VK_IMAGE_USAGE_STORAGE_BIT;
         for (const pass& each : effect_.passes)
             for (const binding& b : each.bindings)
                 if (b.resource == i)
-                    usage |= b.how == access::sample  ? VK_IMAGE_USAGE_SAMPLED_BIT
-                             : b.how == access::store ? VK_IMAGE_USAGE_STORAGE_BIT
-                                                      : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+                    usage |= b.how == access::sample       ? VK_IMAGE_USAGE_SAMPLED_BIT
+                             : b.how == access::attachment ? VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT
+                                                           : VK_IMAGE_USAGE_STORAGE_BIT;
         return usage;
     }
 
@@ -170,10 +179,11 @@ private:
         const resource& r = effect_.resources[i];
         own_[i] = std::make_unique<image>(device_, image_description{.name = std::string(r.name),
                                                                      .texels = r.texels,
-                                                                     .width = r.size.of(width_),
-                                                                     .height = r.size.of(height_),
+                                                                     .width = size_of(r.size).width,
+                                                                     .height = size_of(r.size).height,
                                                                      .layers = r.layers,
                                                                      .samples = r.samples,
+                                                                     .arrayed = r.arrayed,
                                                                      .usage = usage_of(i)});
         current_[i] = own_[i].get();
         return *own_[i];
@@ -190,6 +200,17 @@ private:
                     vkCmdClearColorImage(commands, current_[i]->handle(), copied_to.layout, &zero, 1, &range);
                 }
         });
+    }
+
+    void fill_constants() {
+        for (std::size_t i = 0; i < current_.size(); ++i) {
+            const resource& r = effect_.resources[i];
+            if (!current_[i] || r.life != lifetime::constant)
+                continue;
+            std::vector<std::uint32_t> texels(std::size_t{r.size.fixed_width} * r.size.fixed_height);
+            r.fill(texels, r.count);
+            vulkan::upload(device_, *current_[i], texels);
+        }
     }
 
     void expect_known(const std::map<std::string, int>& wanted) const {
@@ -219,21 +240,30 @@ private:
                 const auto other = options.constants.find(key_of(c));
                 values.push_back(other == options.constants.end() ? c.value : other->second);
             }
-            passes_.emplace_back(device_, each, shaders[i], values, &output_of(each), each.size.of(width_),
-                                 each.size.of(height_));
+            passes_.emplace_back(device_, each, shaders[i], values, outputs_of(each), size_of(each.size));
         }
     }
 
-    /// The image that a pass writes.
-    image& output_of(const pass& each) const {
-        const std::size_t output = each.bindings.back().resource;
-        for (const binding& b : each.bindings.first(each.bindings.size() - 1))
-            if (b.resource == output)
-                throw error("pass '" + std::string(each.name) + "' both reads and writes " + quoted(output));
-        if (effect_.resources[output].size != each.size)
-            throw error("pass '" + std::string(each.name) + "' runs at another size than that of " +
-                        quoted(output) + ", which it writes");
-        return *current_[output];
+    /// The images that a pass writes.
+    std::vector<image*> outputs_of(const pass& each) const {
+        std::vector<image*> outputs;
+        for (const binding& written : each.bindings) {
+            if (!writes(written.how))
+                continue;
+            for (const binding& b : each.bindings)
+                if (!writes(b.how) && b.resource == written.resource)
+                    throw error("pass '" + std::string(each.name) + "' both reads and writes " +
+                                quoted(written.resource));
+            const VkExtent2D runs = size_of(each.size),
+                             has = size_of(effect_.resources[written.resource].size);
+            if (runs.width > has.width || runs.height > has.height ||
+                (each.stage == stage_kind::fragment &&
+                 (runs.width != has.width || runs.height != has.height)))
+                throw error("pass '" + std::string(each.name) + "' runs at another size than that of " +
+                            quoted(written.resource) + ", which it writes");
+            outputs.push_back(current_[written.resource]);
+        }
+        return outputs;
     }
 
     std::size_t input_of(std::string_view name) const {
@@ -267,12 +297,13 @@ private:
             "the image '" + given.name + "' cannot be the input '" + std::string(wanted.name) + "': ";
         if (!(given.usage & VK_IMAGE_USAGE_SAMPLED_BIT))
             throw error(refusal + "it was not made for sampling");
-        if ((given.texels == format::r32_uint) != (wanted.texels == format::r32_uint))
+        if (facts_of(given.texels).whole_numbers != facts_of(wanted.texels).whole_numbers)
             throw error(refusal + "it holds " + detail::texel_of(given.texels).name);
-        if (given.layers != wanted.layers || given.samples != wanted.samples)
+        if (given.layers != wanted.layers || given.arrayed != wanted.arrayed ||
+            given.samples != wanted.samples)
             throw error(refusal + "it has " + std::to_string(given.layers) + " layers and " +
                         std::to_string(given.samples) + " samples a texel");
-        if (given.width < wanted.size.of(width_) || given.height < wanted.size.of(height_))
+        if (given.width < size_of(wanted.size).width || given.height < size_of(wanted.size).height)
             throw error(refusal + "it is only " + std::to_string(given.width) + " x " +
                         std::to_string(given.height));
     }

@@ -32,6 +32,12 @@ constexpr texel_type texel_of(format f) {
         return {VK_FORMAT_R32_UINT, 1, 4, "r32_uint"};
     case format::r32_float:
         return {VK_FORMAT_R32_SFLOAT, 1, 4, "r32_float"};
+    case format::rg32_uint:
+        return {VK_FORMAT_R32G32_UINT, 2, 8, "rg32_uint"};
+    case format::rg32_float:
+        return {VK_FORMAT_R32G32_SFLOAT, 2, 8, "rg32_float"};
+    case format::rgba32_float:
+        return {VK_FORMAT_R32G32B32A32_SFLOAT, 4, 16, "rgba32_float"};
     case format::rgba16_float:
         return {VK_FORMAT_R16G16B16A16_SFLOAT, 4, 8, "rgba16_float"};
     case format::d32_float:
@@ -83,7 +89,7 @@ inline std::vector<std::byte> bytes_of(std::span<const float> numbers, format f)
         } else if (f == format::rgba16_float) {
             const std::uint16_t half = half_of(numbers[i]);
             std::memcpy(to, &half, size);
-        } else if (f == format::r32_float || f == format::d32_float) {
+        } else if (!facts_of(f).whole_numbers && f != format::none) {
             std::memcpy(to, &numbers[i], size);
         } else {
             throw error(std::string(type.name) + " texels are not made of real numbers");
@@ -106,7 +112,7 @@ inline std::vector<float> numbers_of(std::span<const std::byte> bytes, format f)
             std::uint16_t half;
             std::memcpy(&half, from, size);
             numbers[i] = float_of_half(half);
-        } else if (f == format::r32_float || f == format::d32_float) {
+        } else if (!facts_of(f).whole_numbers && f != format::none) {
             std::memcpy(&numbers[i], from, size);
         } else {
             throw error(std::string(type.name) +

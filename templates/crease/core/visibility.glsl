@@ -2,51 +2,24 @@
 R"glsl("
 #endif
 // SPDX-License-Identifier: MIT
-// The loop of every technique: each tap of the sampler, each layer of the depth source, weighed by the estimator.
+// The result of a pixel of the main pass.
 
 float crease_depth_at(vec2 texel);
 vec3 crease_view_position(vec2 texel, float depth);
-vec3 crease_to_eye(vec3 position);
-void crease_axes(vec3 to_eye, out vec3 across, out vec3 up);
-mat2 crease_disk(vec3 position, vec3 across, vec3 up);
 vec3 crease_normal_at(vec2 texel, vec3 position);
-crease_pattern crease_pattern_begin(crease_receiver receiver);
-int crease_direction_count();
-int crease_step_count();
-vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
-crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
-crease_estimate crease_estimate_begin(crease_receiver receiver);
-void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);
-crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap);
-void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
-float crease_estimate_occlusion(crease_estimate estimate);
+crease_receiver crease_receiver_at(ivec2 pixel, vec2 texel, vec3 position, vec3 normal);
+crease_gathered crease_gather(crease_receiver receiver);
+crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver);
+crease_result crease_open();
 
 crease_result crease_evaluate(ivec2 pixel) {
-    crease_receiver receiver;
-    receiver.pixel = pixel;
-    receiver.texel = crease_texel_of_pixel(pixel, crease_divisor);
-    float depth = crease_depth_at(receiver.texel);
+    vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
+    float depth = crease_depth_at(texel);
     if (!(depth > 0.0 && depth < crease_background))
-        return crease_result(1.0, crease_background);
-    receiver.position = crease_view_position(receiver.texel, depth);
-    receiver.to_eye = crease_to_eye(receiver.position);
-    crease_axes(receiver.to_eye, receiver.across, receiver.up);
-    receiver.disk = crease_disk(receiver.position, receiver.across, receiver.up);
-    receiver.normal = crease_normal_at(receiver.texel, receiver.position);
-
-    crease_pattern pattern = crease_pattern_begin(receiver);
-    crease_estimate estimate = crease_estimate_begin(receiver);
-    for (int direction = 0; direction < crease_direction_count(); ++direction) {
-        crease_estimate_turn(estimate, crease_pattern_turn(pattern, receiver, direction));
-        for (int step = 0; step < crease_step_count(); ++step) {
-            crease_tap tap = crease_pattern_tap(pattern, receiver, step);
-            if (tap.inside)
-                crease_estimate_add(estimate, crease_fold(estimate, receiver, tap));
-        }
-    }
-    float occlusion = crease_estimate_occlusion(estimate);
-    // Strength and exponent: stochastic-depth-ao 8.1.
-    return crease_result(pow(clamp(1.0 - occlusion * crease_strength, 0.0, 1.0), crease_exponent), depth);
+        return crease_open();
+    vec3 position = crease_view_position(texel, depth);
+    crease_receiver receiver = crease_receiver_at(pixel, texel, position, crease_normal_at(texel, position));
+    return crease_conclude(crease_gather(receiver), receiver);
 }
 #ifdef __cplusplus
 ")glsl"

@@ -5,6 +5,9 @@ R"glsl("
 // One direction of a separable cross-bilateral blur with a depth-slope correction: stochastic-depth-ao 8.1.
 
 crease_result crease_decode(uvec4 texel);
+crease_result crease_weighted(crease_result result, float weight);
+crease_result crease_sum(crease_result a, crease_result b);
+crease_result crease_mean(crease_result sum, float weights, float depth);
 
 // The slope of one side, or where that looks like an edge, the other side's carried on.
 float crease_bilateral_slope(float own, float other, float tightness) {
@@ -21,7 +24,8 @@ crease_result crease_evaluate(ivec2 pixel) {
         return own;
     float tightness = crease_sharpness / max(crease_radius, 1e-20);
     const float spread = 2.0 / float(crease_bilateral_radius * crease_bilateral_radius);
-    vec2 sum = vec2(own.visibility, 1.0);
+    crease_result sum = own;
+    float weights = 1.0;
     float slope_before = 0.0, slope_after = 0.0;
     for (int i = 1; i <= crease_bilateral_radius; ++i) {
         float away = float(i);
@@ -39,9 +43,11 @@ crease_result crease_evaluate(ivec2 pixel) {
         float weight_after = exp2(-spread * away * away - apart_after * apart_after);
         weight_before = dot(at_before, axis) > 0.0 ? weight_before : 0.0;
         weight_after = dot(last - at_after, axis) > 0.0 ? weight_after : 0.0;
-        sum += vec2(before.visibility, 1.0) * weight_before + vec2(after.visibility, 1.0) * weight_after;
+        sum = crease_sum(sum, crease_weighted(before, weight_before));
+        sum = crease_sum(sum, crease_weighted(after, weight_after));
+        weights += weight_before + weight_after;
     }
-    return crease_result(sum.x / sum.y, own.depth);
+    return crease_mean(sum, weights, own.depth);
 }
 #ifdef __cplusplus
 ")glsl"

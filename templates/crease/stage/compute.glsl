@@ -6,8 +6,10 @@ crease_result crease_evaluate(ivec2 pixel);
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (all(lessThan(pixel, crease_size(crease_divisor))))
-        imageStore(crease_output, pixel, crease_encode(crease_evaluate(pixel)));
+    if (all(lessThan(pixel, crease_size(crease_divisor)))) {
+        crease_result result = crease_evaluate(pixel);
+        crease_write(pixel, result)
+    }
 }
 #ifdef __cplusplus
 ")glsl"

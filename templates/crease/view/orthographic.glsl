@@ -5,16 +5,16 @@ R"glsl("
 // An orthographic projection, centred or not; depth standard or reversed.
 
 float crease_linear_depth(float device) {
-    float depth = device * crease_depth_unpack.x + crease_depth_unpack.y;
-    return depth < crease_far_depth ? depth : crease_background; // the far plane occludes nothing
+    float depth = device * crease_view.depth_unpack.x + crease_view.depth_unpack.y;
+    return depth < crease_view.far_depth ? depth : crease_background; // the far plane occludes nothing
 }
 
 vec3 crease_view_position(vec2 texel, float depth) {
-    return vec3(texel * crease_view_from_texel.xy + crease_view_from_texel.zw, -depth);
+    return vec3(texel * crease_view.from_texel.xy + crease_view.from_texel.zw, -depth);
 }
 
 vec2 crease_texel_at(vec3 position) {
-    return (position.xy - crease_view_from_texel.zw) / crease_view_from_texel.xy;
+    return (position.xy - crease_view.from_texel.zw) / crease_view.from_texel.xy;
 }
 
 vec3 crease_to_eye(vec3 position) { return vec3(0.0, 0.0, 1.0); }
@@ -25,7 +25,7 @@ void crease_axes(vec3 to_eye, out vec3 across, out vec3 up) {
 }
 
 mat2 crease_disk(vec3 position, vec3 across, vec3 up) {
-    vec2 scale = crease_radius / crease_view_from_texel.xy;
+    vec2 scale = crease_radius / crease_view.from_texel.xy;
     return mat2(scale.x, 0.0, 0.0, scale.y);
 }
 #ifdef __cplusplus

@@ -5,16 +5,16 @@ R"glsl("
 // A perspective projection, centred or not; depth standard, reversed or infinite: stochastic-depth-ao 4.4.
 
 float crease_linear_depth(float device) {
-    float inverse = device * crease_depth_unpack.x + crease_depth_unpack.y;
-    return inverse * crease_far_depth > 1.0 ? 1.0 / inverse : crease_background; // the far plane occludes nothing
+    float inverse = device * crease_view.depth_unpack.x + crease_view.depth_unpack.y;
+    return inverse * crease_view.far_depth > 1.0 ? 1.0 / inverse : crease_background; // the far plane occludes nothing
 }
 
 vec3 crease_view_position(vec2 texel, float depth) {
-    return vec3(texel * crease_view_from_texel.xy + crease_view_from_texel.zw, -1.0) * depth;
+    return vec3(texel * crease_view.from_texel.xy + crease_view.from_texel.zw, -1.0) * depth;
 }
 
 vec2 crease_texel_at(vec3 position) {
-    return (position.xy / -position.z - crease_view_from_texel.zw) / crease_view_from_texel.xy;
+    return (position.xy / -position.z - crease_view.from_texel.zw) / crease_view.from_texel.xy;
 }
 
 vec3 crease_to_eye(vec3 position) { return -normalize(position); }
@@ -27,7 +27,7 @@ void crease_axes(vec3 to_eye, out vec3 across, out vec3 up) {
 // Derivative of the projection at `position` along two axes that face the eye, times the radius.
 mat2 crease_disk(vec3 position, vec3 across, vec3 up) {
     vec2 ray = position.xy / -position.z;
-    vec2 scale = crease_radius / (-position.z * crease_view_from_texel.xy);
+    vec2 scale = crease_radius / (-position.z * crease_view.from_texel.xy);
     return mat2((across.xy + ray * across.z) * scale, (up.xy + ray * up.z) * scale);
 }
 #ifdef __cplusplus

@@ -13,8 +13,8 @@ vec3 crease_reconstructed_normals_tangent(vec2 texel, vec3 position, vec2 axis) 
     vec2 before_texel = texel - axis, after_texel = texel + axis;
     vec3 before = crease_view_position(before_texel, crease_depth_at(before_texel));
     vec3 after = crease_view_position(after_texel, crease_depth_at(after_texel));
-    bool has_before = all(greaterThan(before_texel, vec2(0.0)));
-    bool has_after = all(lessThan(after_texel, crease_resolution));
+    bool has_before = crease_inside(before_texel);
+    bool has_after = crease_inside(after_texel);
     bool take_after = has_after && (!has_before || abs(after.z - position.z) < abs(before.z - position.z));
     return take_after ? after - position : position - before;
 }

@@ -5,8 +5,8 @@
 
 #include <doctest/doctest.h>
 
-static_assert(crease::extent{4}.of(641) == 161);
-static_assert(crease::extent{2}.of(1) == 1);
+static_assert(crease::extent{4}.width_of(641) == 161);
+static_assert(crease::extent{2}.width_of(1) == 1);
 
 TEST_CASE("upsample makes the passes before it smaller by its factor") {
     using effect =

@@ -4,59 +4,73 @@ layout(constant_id = 2) const int crease_bilateral_radius = 4;
 const int crease_bilateral_axis = 0;
 const int crease_divisor = 1;
 const int crease_input_divisor = 1;
+#define crease_view crease_views[0]
+const int crease_view_index = 0;
 #define crease_decode crease_decode_visibility_depth
-#define crease_encode crease_encode_visibility_depth
+#define crease_write(pixel, result) imageStore(crease_output, pixel, crease_encode_visibility_depth(result));
 layout(set = 0, binding = 1) uniform usampler2D crease_input;
 layout(r32ui, set = 0, binding = 2) uniform writeonly uimage2D crease_output;
-layout(std140, set = 0, binding = 0)
+#define crease_parameters_place std140, set = 0, binding = 0
 // SPDX-License-Identifier: MIT
-uniform crease_parameters {
-    vec4 crease_view_from_texel;
-    vec2 crease_depth_unpack;
-    float crease_far_depth;
+struct crease_view_parameters {
+    vec4 from_texel;
+    vec2 depth_unpack;
+    float far_depth;
+    float guard;
+    vec2 resolution;
+    vec2 texel_size;
+};
+
+layout(crease_parameters_place) uniform crease_parameters {
+    crease_view_parameters crease_views[2];
+    mat4 crease_second_from_first;
     float crease_radius;
-    vec2 crease_resolution;
-    vec2 crease_texel_size;
     float crease_bias;
     float crease_threshold;
     float crease_strength;
     float crease_exponent;
     float crease_sharpness;
     uint crease_frame;
+    float crease_opacity;
+    float crease_front_reach;
 };
 // SPDX-License-Identifier: MIT
-// The point whose visibility is asked for.
-struct crease_receiver {
-    ivec2 pixel;   // of the pass's output
-    vec2 texel;    // texel space of the depth image
-    vec3 position; // view space
-    vec3 normal;   // view space, unit
-    vec3 to_eye;   // view space, unit
-    vec3 across, up; // view space, unit: the axes of the disk that faces the eye
-    mat2 disk;       // offsets on that disk, in units of the AO radius, to texels
-};
+// The depth of what is not there: further than any radius, and finite, so that its square is too.
+const float crease_background = 1e15;
 
+// Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
+ivec2 crease_size(int divisor) { return (ivec2(crease_view.resolution) + divisor - 1) / divisor; }
+
+// Whether texel coordinates lie in the depth image; false where they are NaN.
+bool crease_inside(vec2 texel) {
+    vec2 middle = 0.5 * crease_view.resolution;
+    return all(lessThan(abs(texel - middle), middle + crease_view.guard));
+}
+
+// The texel of the picture that stands for a pixel of a picture that is smaller by `divisor`.
+vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
+    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_view.resolution) - 1)) + 0.5;
+}
+// SPDX-License-Identifier: MIT
 // What a pass computes for a pixel.
 struct crease_result {
     float visibility; // 1 open, 0 closed
     float depth;      // positive, linear; crease_background where there is none
 };
 
-// The depth of what is not there: further than any radius, and finite, so that its square is too.
-const float crease_background = 1e15;
+crease_result crease_open() { return crease_result(1.0, crease_background); }
 
-// Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
-ivec2 crease_size(int divisor) { return (ivec2(crease_resolution) + divisor - 1) / divisor; }
-
-// Whether texel coordinates lie in the picture; false where they are NaN.
-bool crease_inside(vec2 texel) {
-    vec2 middle = 0.5 * crease_resolution;
-    return all(lessThan(abs(texel - middle), middle));
+crease_result crease_weighted(crease_result result, float weight) {
+    return crease_result(result.visibility * weight, result.depth);
 }
 
-// The texel of the picture that stands for a pixel of a picture that is smaller by `divisor`.
-vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
-    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_resolution) - 1)) + 0.5;
+crease_result crease_sum(crease_result a, crease_result b) {
+    return crease_result(a.visibility + b.visibility, a.depth);
+}
+
+// The mean out of a sum of weighted results and the sum of their weights.
+crease_result crease_mean(crease_result sum, float weights, float depth) {
+    return crease_result(sum.visibility / weights, depth);
 }
 // SPDX-License-Identifier: MIT
 // Visibility in the low 8 bits, depth in the others: a depth is exact to 2^-15 of itself.
@@ -72,6 +86,9 @@ crease_result crease_decode_visibility_depth(uvec4 texel) {
 // One direction of a separable cross-bilateral blur with a depth-slope correction: stochastic-depth-ao 8.1.
 
 crease_result crease_decode(uvec4 texel);
+crease_result crease_weighted(crease_result result, float weight);
+crease_result crease_sum(crease_result a, crease_result b);
+crease_result crease_mean(crease_result sum, float weights, float depth);
 
 // The slope of one side, or where that looks like an edge, the other side's carried on.
 float crease_bilateral_slope(float own, float other, float tightness) {
@@ -88,7 +105,8 @@ crease_result crease_evaluate(ivec2 pixel) {
         return own;
     float tightness = crease_sharpness / max(crease_radius, 1e-20);
     const float spread = 2.0 / float(crease_bilateral_radius * crease_bilateral_radius);
-    vec2 sum = vec2(own.visibility, 1.0);
+    crease_result sum = own;
+    float weights = 1.0;
     float slope_before = 0.0, slope_after = 0.0;
     for (int i = 1; i <= crease_bilateral_radius; ++i) {
         float away = float(i);
@@ -106,15 +124,19 @@ crease_result crease_evaluate(ivec2 pixel) {
         float weight_after = exp2(-spread * away * away - apart_after * apart_after);
         weight_before = dot(at_before, axis) > 0.0 ? weight_before : 0.0;
         weight_after = dot(last - at_after, axis) > 0.0 ? weight_after : 0.0;
-        sum += vec2(before.visibility, 1.0) * weight_before + vec2(after.visibility, 1.0) * weight_after;
+        sum = crease_sum(sum, crease_weighted(before, weight_before));
+        sum = crease_sum(sum, crease_weighted(after, weight_after));
+        weights += weight_before + weight_after;
     }
-    return crease_result(sum.x / sum.y, own.depth);
+    return crease_mean(sum, weights, own.depth);
 }
 // SPDX-License-Identifier: MIT
 crease_result crease_evaluate(ivec2 pixel);
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (all(lessThan(pixel, crease_size(crease_divisor))))
-        imageStore(crease_output, pixel, crease_encode(crease_evaluate(pixel)));
+    if (all(lessThan(pixel, crease_size(crease_divisor)))) {
+        crease_result result = crease_evaluate(pixel);
+        crease_write(pixel, result)
+    }
 }

@@ -1,25 +1,73 @@
 #version 430
 const int crease_hemisphere_points_count = 16;
 const int crease_divisor = 1;
-#define crease_encode crease_encode_visibility
+#define crease_view crease_views[0]
+const int crease_view_index = 0;
+#define crease_write(pixel, result) crease_output = crease_encode_visibility(result);
 layout(binding = 0) uniform sampler2D crease_depth;
 layout(location = 0) out vec4 crease_output;
-layout(std140, binding = 0)
+#define crease_parameters_place std140, binding = 0
 // SPDX-License-Identifier: MIT
-uniform crease_parameters {
-    vec4 crease_view_from_texel;
-    vec2 crease_depth_unpack;
-    float crease_far_depth;
+struct crease_view_parameters {
+    vec4 from_texel;
+    vec2 depth_unpack;
+    float far_depth;
+    float guard;
+    vec2 resolution;
+    vec2 texel_size;
+};
+
+layout(crease_parameters_place) uniform crease_parameters {
+    crease_view_parameters crease_views[2];
+    mat4 crease_second_from_first;
     float crease_radius;
-    vec2 crease_resolution;
-    vec2 crease_texel_size;
     float crease_bias;
     float crease_threshold;
     float crease_strength;
     float crease_exponent;
     float crease_sharpness;
     uint crease_frame;
+    float crease_opacity;
+    float crease_front_reach;
 };
+// SPDX-License-Identifier: MIT
+// The depth of what is not there: further than any radius, and finite, so that its square is too.
+const float crease_background = 1e15;
+
+// Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
+ivec2 crease_size(int divisor) { return (ivec2(crease_view.resolution) + divisor - 1) / divisor; }
+
+// Whether texel coordinates lie in the depth image; false where they are NaN.
+bool crease_inside(vec2 texel) {
+    vec2 middle = 0.5 * crease_view.resolution;
+    return all(lessThan(abs(texel - middle), middle + crease_view.guard));
+}
+
+// The texel of the picture that stands for a pixel of a picture that is smaller by `divisor`.
+vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
+    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_view.resolution) - 1)) + 0.5;
+}
+// SPDX-License-Identifier: MIT
+// What a pass computes for a pixel.
+struct crease_result {
+    float visibility; // 1 open, 0 closed
+    float depth;      // positive, linear; crease_background where there is none
+};
+
+crease_result crease_open() { return crease_result(1.0, crease_background); }
+
+crease_result crease_weighted(crease_result result, float weight) {
+    return crease_result(result.visibility * weight, result.depth);
+}
+
+crease_result crease_sum(crease_result a, crease_result b) {
+    return crease_result(a.visibility + b.visibility, a.depth);
+}
+
+// The mean out of a sum of weighted results and the sum of their weights.
+crease_result crease_mean(crease_result sum, float weights, float depth) {
+    return crease_result(sum.visibility / weights, depth);
+}
 // SPDX-License-Identifier: MIT
 // The point whose visibility is asked for.
 struct crease_receiver {
@@ -31,43 +79,20 @@ struct crease_receiver {
     vec3 across, up; // view space, unit: the axes of the disk that faces the eye
     mat2 disk;       // offsets on that disk, in units of the AO radius, to texels
 };
-
-// What a pass computes for a pixel.
-struct crease_result {
-    float visibility; // 1 open, 0 closed
-    float depth;      // positive, linear; crease_background where there is none
-};
-
-// The depth of what is not there: further than any radius, and finite, so that its square is too.
-const float crease_background = 1e15;
-
-// Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
-ivec2 crease_size(int divisor) { return (ivec2(crease_resolution) + divisor - 1) / divisor; }
-
-// Whether texel coordinates lie in the picture; false where they are NaN.
-bool crease_inside(vec2 texel) {
-    vec2 middle = 0.5 * crease_resolution;
-    return all(lessThan(abs(texel - middle), middle));
-}
-
-// The texel of the picture that stands for a pixel of a picture that is smaller by `divisor`.
-vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
-    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_resolution) - 1)) + 0.5;
-}
 // SPDX-License-Identifier: MIT
 // An orthographic projection, centred or not; depth standard or reversed.
 
 float crease_linear_depth(float device) {
-    float depth = device * crease_depth_unpack.x + crease_depth_unpack.y;
-    return depth < crease_far_depth ? depth : crease_background; // the far plane occludes nothing
+    float depth = device * crease_view.depth_unpack.x + crease_view.depth_unpack.y;
+    return depth < crease_view.far_depth ? depth : crease_background; // the far plane occludes nothing
 }
 
 vec3 crease_view_position(vec2 texel, float depth) {
-    return vec3(texel * crease_view_from_texel.xy + crease_view_from_texel.zw, -depth);
+    return vec3(texel * crease_view.from_texel.xy + crease_view.from_texel.zw, -depth);
 }
 
 vec2 crease_texel_at(vec3 position) {
-    return (position.xy - crease_view_from_texel.zw) / crease_view_from_texel.xy;
+    return (position.xy - crease_view.from_texel.zw) / crease_view.from_texel.xy;
 }
 
 vec3 crease_to_eye(vec3 position) { return vec3(0.0, 0.0, 1.0); }
@@ -78,7 +103,7 @@ void crease_axes(vec3 to_eye, out vec3 across, out vec3 up) {
 }
 
 mat2 crease_disk(vec3 position, vec3 across, vec3 up) {
-    vec2 scale = crease_radius / crease_view_from_texel.xy;
+    vec2 scale = crease_radius / crease_view.from_texel.xy;
     return mat2(scale.x, 0.0, 0.0, scale.y);
 }
 // SPDX-License-Identifier: MIT
@@ -87,7 +112,7 @@ mat2 crease_disk(vec3 position, vec3 across, vec3 up) {
 float crease_linear_depth(float device);
 
 float crease_depth_at(vec2 texel) {
-    return crease_linear_depth(textureLod(crease_depth, texel * crease_texel_size, 0.0).x);
+    return crease_linear_depth(textureLod(crease_depth, (texel + crease_view.guard) * crease_view.texel_size, 0.0).x);
 }
 // SPDX-License-Identifier: MIT
 // One layer of depth, that of the receivers.
@@ -115,8 +140,8 @@ vec3 crease_reconstructed_normals_tangent(vec2 texel, vec3 position, vec2 axis) 
     vec2 before_texel = texel - axis, after_texel = texel + axis;
     vec3 before = crease_view_position(before_texel, crease_depth_at(before_texel));
     vec3 after = crease_view_position(after_texel, crease_depth_at(after_texel));
-    bool has_before = all(greaterThan(before_texel, vec2(0.0)));
-    bool has_after = all(lessThan(after_texel, crease_resolution));
+    bool has_before = crease_inside(before_texel);
+    bool has_after = crease_inside(after_texel);
     bool take_after = has_after && (!has_before || abs(after.z - position.z) < abs(before.z - position.z));
     return take_after ? after - position : position - before;
 }
@@ -228,6 +253,26 @@ void crease_estimate_add(inout crease_estimate estimate, crease_contribution con
 
 float crease_estimate_occlusion(crease_estimate estimate) { return estimate.occluded / max(estimate.points, 1.0); }
 // SPDX-License-Identifier: MIT
+// The visibility of a receiver and nothing else.
+
+float crease_visibility_of(float occlusion);
+
+struct crease_gathered {
+    float occlusion;
+};
+
+crease_gathered crease_gathered_begin() { return crease_gathered(0.0); }
+
+void crease_gathered_tap(inout crease_gathered gathered, crease_receiver receiver, crease_tap tap,
+                         crease_contribution contribution) {}
+
+void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiver, crease_estimate estimate,
+                          vec2 direction) {}
+
+crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver) {
+    return crease_result(crease_visibility_of(gathered.occlusion), -receiver.position.z);
+}
+// SPDX-License-Identifier: MIT
 // The layers of a tap count as the one that occludes the most: stochastic-depth-ao 6.2, a-buffer-ssao III A.
 
 crease_layers crease_fetch_layers(vec2 texel);
@@ -249,17 +294,11 @@ crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiv
     return most;
 }
 // SPDX-License-Identifier: MIT
-// Visibility alone.
-vec4 crease_encode_visibility(crease_result result) { return vec4(result.visibility); }
-// SPDX-License-Identifier: MIT
 // The loop of every technique: each tap of the sampler, each layer of the depth source, weighed by the estimator.
 
-float crease_depth_at(vec2 texel);
-vec3 crease_view_position(vec2 texel, float depth);
 vec3 crease_to_eye(vec3 position);
 void crease_axes(vec3 to_eye, out vec3 across, out vec3 up);
 mat2 crease_disk(vec3 position, vec3 across, vec3 up);
-vec3 crease_normal_at(vec2 texel, vec3 position);
 crease_pattern crease_pattern_begin(crease_receiver receiver);
 int crease_direction_count();
 int crease_step_count();
@@ -270,35 +309,76 @@ void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);
 crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap);
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
 float crease_estimate_occlusion(crease_estimate estimate);
+crease_gathered crease_gathered_begin();
+void crease_gathered_tap(inout crease_gathered gathered, crease_receiver receiver, crease_tap tap,
+                         crease_contribution contribution);
+void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiver, crease_estimate estimate,
+                          vec2 direction);
 
-crease_result crease_evaluate(ivec2 pixel) {
+crease_receiver crease_receiver_at(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
     crease_receiver receiver;
     receiver.pixel = pixel;
-    receiver.texel = crease_texel_of_pixel(pixel, crease_divisor);
-    float depth = crease_depth_at(receiver.texel);
-    if (!(depth > 0.0 && depth < crease_background))
-        return crease_result(1.0, crease_background);
-    receiver.position = crease_view_position(receiver.texel, depth);
-    receiver.to_eye = crease_to_eye(receiver.position);
+    receiver.texel = texel;
+    receiver.position = position;
+    receiver.normal = normal;
+    receiver.to_eye = crease_to_eye(position);
     crease_axes(receiver.to_eye, receiver.across, receiver.up);
-    receiver.disk = crease_disk(receiver.position, receiver.across, receiver.up);
-    receiver.normal = crease_normal_at(receiver.texel, receiver.position);
+    receiver.disk = crease_disk(position, receiver.across, receiver.up);
+    return receiver;
+}
 
+crease_gathered crease_gather(crease_receiver receiver) {
     crease_pattern pattern = crease_pattern_begin(receiver);
     crease_estimate estimate = crease_estimate_begin(receiver);
-    for (int direction = 0; direction < crease_direction_count(); ++direction) {
-        crease_estimate_turn(estimate, crease_pattern_turn(pattern, receiver, direction));
+    crease_gathered gathered = crease_gathered_begin();
+    for (int i = 0; i < crease_direction_count(); ++i) {
+        vec2 direction = crease_pattern_turn(pattern, receiver, i);
+        crease_estimate_turn(estimate, direction);
         for (int step = 0; step < crease_step_count(); ++step) {
             crease_tap tap = crease_pattern_tap(pattern, receiver, step);
-            if (tap.inside)
-                crease_estimate_add(estimate, crease_fold(estimate, receiver, tap));
+            if (tap.inside) {
+                crease_contribution contribution = crease_fold(estimate, receiver, tap);
+                crease_estimate_add(estimate, contribution);
+                crease_gathered_tap(gathered, receiver, tap, contribution);
+            }
         }
+        crease_gathered_turn(gathered, receiver, estimate, direction);
     }
-    float occlusion = crease_estimate_occlusion(estimate);
-    // Strength and exponent: stochastic-depth-ao 8.1.
-    return crease_result(pow(clamp(1.0 - occlusion * crease_strength, 0.0, 1.0), crease_exponent), depth);
+    gathered.occlusion = crease_estimate_occlusion(estimate);
+    return gathered;
+}
+
+// Visibility by strength and exponent: stochastic-depth-ao 8.1.
+float crease_visibility_of(float occlusion) {
+    return pow(clamp(1.0 - occlusion * crease_strength, 0.0, 1.0), crease_exponent);
+}
+// SPDX-License-Identifier: MIT
+// Visibility alone.
+vec4 crease_encode_visibility(crease_result result) { return vec4(result.visibility); }
+// SPDX-License-Identifier: MIT
+// The result of a pixel of the main pass.
+
+float crease_depth_at(vec2 texel);
+vec3 crease_view_position(vec2 texel, float depth);
+vec3 crease_normal_at(vec2 texel, vec3 position);
+crease_receiver crease_receiver_at(ivec2 pixel, vec2 texel, vec3 position, vec3 normal);
+crease_gathered crease_gather(crease_receiver receiver);
+crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver);
+crease_result crease_open();
+
+crease_result crease_evaluate(ivec2 pixel) {
+    vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
+    float depth = crease_depth_at(texel);
+    if (!(depth > 0.0 && depth < crease_background))
+        return crease_open();
+    vec3 position = crease_view_position(texel, depth);
+    crease_receiver receiver = crease_receiver_at(pixel, texel, position, crease_normal_at(texel, position));
+    return crease_conclude(crease_gather(receiver), receiver);
 }
 // SPDX-License-Identifier: MIT
 crease_result crease_evaluate(ivec2 pixel);
 
-void main() { crease_output = crease_encode(crease_evaluate(ivec2(gl_FragCoord.xy))); }
+void main() {
+    crease_result result = crease_evaluate(ivec2(gl_FragCoord.xy));
+    crease_write(pixel, result)
+}

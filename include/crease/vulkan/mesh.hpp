@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/vulkan/buffer.hpp>
+#include <crease/vulkan/pipeline.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+namespace crease::vulkan {
+
+/// Triangles on the device: three vertices each, without an index, a vertex being position xyz and normal
+/// xyz.
+class mesh {
+public:
+    static constexpr std::size_t numbers_per_vertex = 6;
+
+    /// @param vertices  18 numbers a triangle, at least one triangle
+    /// @throws error  where the count is no multiple of 18 or is 0, or there is not enough memory
+    mesh(const device& on, std::span<const float> vertices)
+        : vertices_(on, expect_triangles(vertices).size_bytes(), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
+                    transfer::to_device, "vertices"),
+          count_(static_cast<std::uint32_t>(vertices.size() / numbers_per_vertex)) {
+        std::ranges::copy(std::as_bytes(vertices), vertices_.bytes().begin());
+    }
+
+    VkBuffer buffer_handle() const { return vertices_.handle(); }
+    std::uint32_t vertex_count() const { return count_; }
+
+private:
+    buffer vertices_;
+    std::uint32_t count_;
+
+    static std::span<const float> expect_triangles(std::span<const float> vertices) {
+        if (vertices.empty() || vertices.size() % (3 * numbers_per_vertex) != 0)
+            throw error("a mesh takes " + std::to_string(3 * numbers_per_vertex) +
+                        " numbers a triangle, not " + std::to_string(vertices.size()) + " in all");
+        return vertices;
+    }
+};
+
+}
+
+namespace crease::vulkan::detail {
+
+inline constexpr VkShaderStageFlags geometry_stages =
+    VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+
+inline constexpr VkVertexInputBindingDescription mesh_vertices{0, mesh::numbers_per_vertex * sizeof(float),
+                                                               VK_VERTEX_INPUT_RATE_VERTEX};
+inline constexpr VkVertexInputAttributeDescription mesh_attributes[] = {
+    {0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0}, {1, 0, VK_FORMAT_R32G32B32_SFLOAT, 3 * sizeof(float)}};
+
+/// How a graphics pipeline reads a mesh.
+inline VkPipelineVertexInputStateCreateInfo mesh_input() {
+    auto input = blank<VkPipelineVertexInputStateCreateInfo>(
+        VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO);
+    input.vertexBindingDescriptionCount = 1;
+    input.pVertexBindingDescriptions = &mesh_vertices;
+    input.vertexAttributeDescriptionCount = 2;
+    input.pVertexAttributeDescriptions = mesh_attributes;
+    return input;
+}
+
+/// Draws a mesh with a pipeline that is made for it.
+inline void draw_mesh(VkCommandBuffer commands, VkPipeline pipeline, VkPipelineLayout layout,
+                      const mesh& triangles, std::span<const std::byte> push_constants) {
+    const VkBuffer vertices = triangles.buffer_handle();
+    constexpr VkDeviceSize start = 0;
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+    vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &start);
+    if (!push_constants.empty())
+        vkCmdPushConstants(commands, layout, geometry_stages, 0,
+                           static_cast<std::uint32_t>(push_constants.size()), push_constants.data());
+    vkCmdDraw(commands, triangles.vertex_count(), 1, 0, 0);
+}
+
+/// @throws error  where the bytes are not as many as `wanted`
+inline void expect_push_constants(std::span<const std::byte> given, std::uint32_t wanted) {
+    if (given.size() != wanted)
+        throw error("the geometry's shaders take " + std::to_string(wanted) +
+                    " bytes of push constants, not " + std::to_string(given.size()));
+}
+
+/// @throws error  where the device has not as many
+inline void expect_push_size(const device& on, std::uint32_t bytes) {
+    if (bytes > on.limits().maxPushConstantsSize)
+        throw error("the device '" + on.name() + "' has no " + std::to_string(bytes) +
+                    " bytes of push constants");
+}
+
+}

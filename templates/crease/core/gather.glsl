@@ -1,0 +1,65 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// The loop of every technique: each tap of the sampler, each layer of the depth source, weighed by the estimator.
+
+vec3 crease_to_eye(vec3 position);
+void crease_axes(vec3 to_eye, out vec3 across, out vec3 up);
+mat2 crease_disk(vec3 position, vec3 across, vec3 up);
+crease_pattern crease_pattern_begin(crease_receiver receiver);
+int crease_direction_count();
+int crease_step_count();
+vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
+crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
+crease_estimate crease_estimate_begin(crease_receiver receiver);
+void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);
+crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap);
+void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
+float crease_estimate_occlusion(crease_estimate estimate);
+crease_gathered crease_gathered_begin();
+void crease_gathered_tap(inout crease_gathered gathered, crease_receiver receiver, crease_tap tap,
+                         crease_contribution contribution);
+void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiver, crease_estimate estimate,
+                          vec2 direction);
+
+crease_receiver crease_receiver_at(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
+    crease_receiver receiver;
+    receiver.pixel = pixel;
+    receiver.texel = texel;
+    receiver.position = position;
+    receiver.normal = normal;
+    receiver.to_eye = crease_to_eye(position);
+    crease_axes(receiver.to_eye, receiver.across, receiver.up);
+    receiver.disk = crease_disk(position, receiver.across, receiver.up);
+    return receiver;
+}
+
+crease_gathered crease_gather(crease_receiver receiver) {
+    crease_pattern pattern = crease_pattern_begin(receiver);
+    crease_estimate estimate = crease_estimate_begin(receiver);
+    crease_gathered gathered = crease_gathered_begin();
+    for (int i = 0; i < crease_direction_count(); ++i) {
+        vec2 direction = crease_pattern_turn(pattern, receiver, i);
+        crease_estimate_turn(estimate, direction);
+        for (int step = 0; step < crease_step_count(); ++step) {
+            crease_tap tap = crease_pattern_tap(pattern, receiver, step);
+            if (tap.inside) {
+                crease_contribution contribution = crease_fold(estimate, receiver, tap);
+                crease_estimate_add(estimate, contribution);
+                crease_gathered_tap(gathered, receiver, tap, contribution);
+            }
+        }
+        crease_gathered_turn(gathered, receiver, estimate, direction);
+    }
+    gathered.occlusion = crease_estimate_occlusion(estimate);
+    return gathered;
+}
+
+// Visibility by strength and exponent: stochastic-depth-ao 8.1.
+float crease_visibility_of(float occlusion) {
+    return pow(clamp(1.0 - occlusion * crease_strength, 0.0, 1.0), crease_exponent);
+}
+#ifdef __cplusplus
+")glsl"
+#endif
