@@ -66,7 +66,7 @@ constexpr bool numbers_in_range(const choice& c) {
 
 /// Whether a role is empty unless another part wants it.
 constexpr bool waits_to_be_wanted(role r) {
-    return r == role::layer_carrier || r == role::layer_sampling;
+    return r == role::layer_carrier || r == role::layer_sampling || r == role::fold;
 }
 
 constexpr bool wants(const part& p, role wanted) {

@@ -133,9 +133,9 @@ struct part {
     std::span<const resource> resources{};     ///< what its functions read
     std::span<const resource> intermediates{}; ///< what only its steps read and write
     std::span<const step> steps{};             ///< a depth source's before the main pass, a filter's after it
-    const glsl_file* fold = nullptr;      ///< how the layers of a tap become one contribution; a fold's takes
-                                          ///< precedence over a depth source's, and that over an estimator's
-    const glsl_file* main_body = nullptr; ///< a second view's: what takes the place of core/visibility.glsl
+    const glsl_file* fold = nullptr; ///< how the layers of a tap become one contribution, where there is
+                                     ///< no part of the role; a depth source's comes before an estimator's
+    const glsl_file* main_body = nullptr;   ///< a second view's: what takes the place of core/visibility.glsl
     const capture_step* captures = nullptr; ///< a layer carrier's
     const glsl_file* result = nullptr;      ///< an output's: `struct crease_result` and its arithmetic
     const encoding* between = nullptr;      ///< an output's: how the result is kept between passes

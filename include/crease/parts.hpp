@@ -5,7 +5,15 @@
 // include/crease/<role>/<name>.hpp, one include and one line here, and its tests in
 // tests/pure/<role>/<name>.cpp.
 
+#include <crease/capture/anisotropic_threshold.hpp>
+#include <crease/capture/atomic_minimum.hpp>
+#include <crease/capture/hash_4d.hpp>
+#include <crease/capture/isotropic_threshold.hpp>
+#include <crease/capture/multisampled.hpp>
+#include <crease/capture/simple_hash.hpp>
+#include <crease/capture/stratified.hpp>
 #include <crease/depth/single_layer.hpp>
+#include <crease/depth/stochastic_layers.hpp>
 #include <crease/dialect/opengl.hpp>
 #include <crease/dialect/vulkan.hpp>
 #include <crease/estimator/hbao.hpp>
@@ -13,6 +21,9 @@
 #include <crease/estimator/ssao.hpp>
 #include <crease/filter/bilateral.hpp>
 #include <crease/filter/upsample.hpp>
+#include <crease/fold/all_layers.hpp>
+#include <crease/fold/front_first.hpp>
+#include <crease/output/bent_cone.hpp>
 #include <crease/output/visibility_only.hpp>
 #include <crease/sampler/directions.hpp>
 #include <crease/sampler/hemisphere_points.hpp>
@@ -26,6 +37,7 @@
 #include <crease/view/orthographic.hpp>
 #include <crease/view/perspective.hpp>
 #include <crease/view/reconstructed_normals.hpp>
+#include <crease/view/second_view.hpp>
 
 namespace crease {
 
@@ -35,10 +47,22 @@ inline constexpr const part* all_parts[] = {
     &hemisphere_points_part::description,
     &poisson_disk_part::description,
     &single_layer::description,
+    &stochastic_layers_part::description,
     &hbao::description,
     &hbao_plus::description,
     &ssao::description,
+    &all_layers::description,
+    &front_first_part::description,
+    &second_view_part::description,
+    &multisampled_part::description,
+    &atomic_minimum_part::description,
+    &stratified::description,
+    &simple_hash::description,
+    &hash_4d::description,
+    &isotropic_threshold::description,
+    &anisotropic_threshold::description,
     &visibility_only::description,
+    &bent_cone::description,
     &bilateral_part::description,
     &upsample_part::description,
     &perspective::description,

@@ -227,6 +227,8 @@ constexpr program write_evaluate(const plan& p, const planned_pass& pass) {
     program_writer to(p, !functions, functions ? places_of(stage) : places{});
 
     to.add_file(&parameters_glsl);
+    if (pass.view < 0) // all other files name the camera that it defines
+        to.add_file(p.chosen(role::second_view).what->glsl);
     to.add_file(&types_glsl);
     to.add_file(output.result);
     const bool is_main = pass.what == &main_step;

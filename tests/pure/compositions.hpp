@@ -34,16 +34,33 @@ inline std::vector<std::string> filter_chains() {
     return chains;
 }
 
-/// The recipe of every legal composition of the parts of crease, the numbers left at their defaults.
+/// The recipe of every legal composition of the parts of crease, the numbers left at their defaults. Those
+/// that only say how a geometry pass captures layers, which the other passes do not depend on, are varied by
+/// themselves.
 inline std::vector<std::string> every_recipe() {
+    const auto legal = [](std::vector<std::string> texts) {
+        std::erase_if(texts, [](const std::string& text) { return !crease::recipe(text); });
+        return texts;
+    };
+    const auto optional = [](crease::role wanted) {
+        std::vector<std::string> names = names_of(wanted);
+        names.emplace_back("");
+        return names;
+    };
     std::vector<std::string> three =
         times(names_of(crease::role::sampler), names_of(crease::role::depth_source));
-    three = times(three, names_of(crease::role::estimator));
-    std::erase_if(three, [](const std::string& text) { return !crease::recipe(text); });
+    three = legal(times(three, names_of(crease::role::estimator)));
+    const std::vector<std::string> captures = legal(
+        times(times(three, names_of(crease::role::layer_carrier)), names_of(crease::role::layer_sampling)));
+    three = legal(times(three, optional(crease::role::fold)));
+    three = legal(times(three, optional(crease::role::second_view)));
+    three = legal(times(three, names_of(crease::role::output)));
     std::vector<std::string> all = times(three, filter_chains());
     for (crease::role each : {crease::role::projection, crease::role::depth_encoding, crease::role::normals,
                               crease::role::stage, crease::role::dialect})
         all = times(all, names_of(each));
-    std::erase_if(all, [](const std::string& text) { return !crease::recipe(text); });
-    return all;
+    for (const std::string& text :
+         times(times(captures, names_of(crease::role::projection)), names_of(crease::role::dialect)))
+        all.push_back(text);
+    return legal(std::move(all));
 }

@@ -33,6 +33,26 @@ void check_vulkan(const crease::effect_view& effect, const crease::pass& p) {
         crease::spirv::validate(crease::spirv::compile_vertex(p));
 }
 
+/// A host's geometry pass around a capture: it compiles, is valid and has the interface that the effect
+/// declares.
+void check_capture(const crease::effect_view& effect, const crease::capture& c) {
+    const bool vulkan = c.dialect == crease::dialect_kind::vulkan;
+    std::vector<crease::piece> whole{{"version", vulkan ? "#version 450\n" : "#version 430\n"}};
+    whole.insert(whole.end(), c.pieces.begin(), c.pieces.end());
+    whole.push_back(
+        {"host", vulkan ? "layout(location = 0) in vec3 host_position;\n"
+                          "void main() { crease_capture(host_position); }\n"
+                        : "in vec3 host_position;\nvoid main() { crease_capture(host_position); }\n"});
+    if (!vulkan) {
+        crease::spirv::detail::parse(whole, crease::spirv::shader_stage::fragment, c.dialect, "the capture");
+        return;
+    }
+    const crease::spirv::words module =
+        crease::spirv::compile(whole, crease::spirv::shader_stage::fragment, "the capture");
+    crease::spirv::validate(module);
+    CHECK(crease::spirv::mismatches(effect, c, crease::spirv::reflect(module)) == std::vector<std::string>{});
+}
+
 void check_functions(const crease::pass& p) {
     const std::string program = p.dialect == crease::dialect_kind::vulkan ? around(joined(p.pieces)) : "";
     if (program.empty())
@@ -51,6 +71,9 @@ TEST_CASE("every legal composition") {
         const crease::recipe chosen{std::string_view(text)};
         const auto composed = std::make_unique<crease::composition>(chosen);
         const crease::effect_view effect = composed->view();
+        for (const crease::capture& c : effect.captures)
+            if (seen.insert(joined(c.pieces)).second)
+                CHECK_NOTHROW(check_capture(effect, c));
         for (const crease::pass& p : effect.passes) {
             if (!seen.insert(joined(p.pieces)).second)
                 continue;

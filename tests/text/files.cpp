@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -21,16 +22,58 @@ std::string read(const fs::path& path) {
     return text.str();
 }
 
-// What the interface of a program declares for its files, one of everything.
+// What the interface of a program declares for its files.
 constexpr std::string_view prelude = R"(#version 450
 const int crease_divisor = 1;
-#define crease_view crease_views[0]
-const int crease_view_index = 0;
 const int crease_input_divisor = 2;
-layout(set = 0, binding = 1) uniform sampler2D crease_depth;
-layout(set = 0, binding = 2) uniform sampler2D crease_normal;
-layout(set = 0, binding = 3) uniform usampler2D crease_input;
+#define crease_parameters_place std140, set = 0, binding = 0
+layout(set = 0, binding = 1) uniform usampler2D crease_input;
 )";
+
+/// A resource as GLSL declares it.
+std::string declared(const crease::resource& r, crease::access how, unsigned slot) {
+    const crease::format_facts texels = crease::facts_of(r.texels);
+    const std::string prefix = texels.whole_numbers ? "u" : "";
+    const std::string shape = r.samples_by.number >= 0 ? "2DMS" : r.arrayed ? "2DArray" : "2D";
+    const std::string place = "set = 0, binding = " + std::to_string(slot) + ") uniform " + prefix;
+    const std::string name = " crease_" + std::string(r.name) + ";\n";
+    if (how == crease::access::sample)
+        return "layout(" + place + "sampler" + shape + name;
+    return "layout(" + std::string(texels.glsl) + ", " + place + "image" + shape + name;
+}
+
+/// The resources of the parts that a file belongs to, as it uses them.
+std::string resources_for(const std::string& file) {
+    std::string text;
+    std::set<std::string_view> known;
+    unsigned slot = 10;
+    for (const crease::part* p : crease::all_parts) {
+        const auto is = [&file](const crease::glsl_file* f) { return f && f->name == file; };
+        const auto add = [&](std::string_view name, crease::access how) {
+            for (const auto& list : {p->resources, p->intermediates})
+                for (const crease::resource& r : list)
+                    if (r.name == name && known.insert(name).second)
+                        text += declared(r, how, slot++);
+        };
+        bool owns = is(p->glsl);
+        for (const crease::glsl_file* helper : p->helpers)
+            owns = owns || is(helper);
+        if (owns)
+            for (const crease::resource& r : p->resources)
+                add(r.name, crease::access::sample);
+        for (const crease::step& s : p->steps) {
+            if (!is(s.body))
+                continue;
+            for (std::string_view name : s.reads)
+                add(name, crease::access::sample);
+            for (std::string_view name : s.writes)
+                add(name, crease::access::store);
+        }
+        if (p->captures && is(p->captures->body) && p->captures->how == crease::access::modify)
+            add(p->captures->writes, crease::access::modify);
+    }
+    return text;
+}
 
 /// The constants of all parts, which a file alone may name.
 std::string constants() {
@@ -57,16 +100,24 @@ std::string structs_for(const std::string& text) {
         const std::size_t begin = from.find(wanted);
         structs += from.substr(begin, from.find(ends, begin) + ends.size() - begin) + "\n";
     };
-    add("crease_result", "output/visibility_result.glsl", "};");
+    const bool cone = text.find("bent") != std::string::npos || text.find("_bend") != std::string::npos;
+    add("crease_result", cone ? "output/bent_cone_result.glsl" : "output/visibility_result.glsl", "};");
+    add("crease_bend", "output/bent_cone_result.glsl", "};");
     add("crease_receiver", "core/receiver.glsl", "};");
     add("crease_gathered", "output/visibility_only.glsl", "};");
     add("crease_layers", "depth/single_layer.glsl", "};");
-    const bool points =
+    const bool in_space =
         text.find(".point") != std::string::npos || text.find("hemisphere") != std::string::npos;
-    add("crease_tap", points ? "sampler/point_tap.glsl" : "sampler/screen_tap.glsl", "};");
+    add("crease_tap", in_space ? "sampler/point_tap.glsl" : "sampler/screen_tap.glsl", "};");
     add("crease_pattern", "sampler/directions.glsl", "};");
     add("crease_estimate", "estimator/hbao.glsl", "};");
-    add("crease_contribution", "estimator/hbao.glsl", "};");
+    const bool plus = text.find("contribution.rise") != std::string::npos;
+    const bool points = text.find("contribution.points") != std::string::npos;
+    add("crease_contribution",
+        plus     ? "estimator/hbao_plus.glsl"
+        : points ? "estimator/ssao.glsl"
+                 : "estimator/hbao.glsl",
+        "};");
     return structs;
 }
 
@@ -82,14 +133,21 @@ TEST_CASE("each GLSL file alone") {
         CAPTURE(name);
         const std::string own = read(entry.path());
         CHECK(own.size() <= crease::glsl_file::longest);
-        const std::string before = std::string(prelude) + constants() +
-                                   "#define crease_parameters_place std140, set = 0, binding = 0\n";
+        const bool both_views = name.find("two_views") != std::string::npos;
+        const std::string before = std::string(prelude) + constants() + resources_for(name);
+        const std::string view = both_views ? read(fs::path(CREASE_TEMPLATES) / "view/second_view.glsl")
+                                 : name == "view/second_view.glsl" ? ""
+                                                                   : "#define crease_view crease_views[0]\n"
+                                                                     "const int crease_view_index = 0;\n";
+        const std::string types = name == "view/second_view.glsl" ? "" : std::string(crease::types_glsl.text);
         const std::string text = structs_for(own);
-        const crease::piece pieces[] = {{"prelude", before}, crease::parameters_glsl,
-                                        crease::types_glsl,  {"structs", text},
-                                        {name, own},         {"end", "void main() {}\n"}};
-        CHECK_NOTHROW(crease::spirv::detail::parse(pieces, crease::spirv::shader_stage::compute,
-                                                   crease::dialect_kind::vulkan, name));
+        const crease::spirv::shader_stage stage = name.starts_with("capture/")
+                                                      ? crease::spirv::shader_stage::fragment
+                                                      : crease::spirv::shader_stage::compute;
+        const crease::piece pieces[] = {{"prelude", before},        crease::parameters_glsl, {"view", view},
+                                        {"types", types},           {"structs", text},       {name, own},
+                                        {"end", "void main() {}\n"}};
+        CHECK_NOTHROW(crease::spirv::detail::parse(pieces, stage, crease::dialect_kind::vulkan, name));
         ++files;
     }
     CHECK(files > 15);

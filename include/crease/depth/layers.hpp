@@ -9,6 +9,10 @@ namespace crease {
 CREASE_TRAIT(depth_layers, depth_source,
              "the estimator needs single layers of depth, which the depth source does not hold");
 
+/// Layers of two cameras.
+CREASE_TRAIT(layers_of_two_views, depth_source,
+             "the second view needs layers of two cameras, and the depth source holds those of one");
+
 /// The fold of the layered papers: the layer that occludes the most counts for the tap.
 inline constexpr glsl_file fold_max_glsl{
     "core/fold_max.glsl",

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <crease/depth/layers.hpp>
+#include <crease/fold/front_first.hpp>
+#include <crease/output/bent_cone.hpp>
 #include <crease/sampler/taps.hpp>
 
 namespace crease {
@@ -11,9 +13,21 @@ inline constexpr glsl_file hbao_glsl{
 #include <crease/estimator/hbao.glsl>
 };
 
+inline constexpr glsl_file hbao_front_glsl{
+    "estimator/hbao_front.glsl",
+#include <crease/estimator/hbao_front.glsl>
+};
+
+inline constexpr glsl_file hbao_bent_glsl{
+    "estimator/hbao_bent.glsl",
+#include <crease/estimator/hbao_bent.glsl>
+};
+
 /// Estimator: horizon-based ambient occlusion. The defaults aim at the `linear` truth.
 struct hbao {
     using needs = traits<ordered_taps, depth_layers>;
+    static constexpr extra more[] = {{&front_test::value, &hbao_front_glsl},
+                                     {&open_directions::value, &hbao_bent_glsl}};
     static constexpr setting reads[] = {
         {"bias", &parameters::bias, 0.15f, 0, 1.5f, "angle added to the tangent's, radians"},
         {"threshold", &parameters::threshold, 0, -1, 1,
@@ -29,6 +43,8 @@ struct hbao {
         .glsl = &hbao_glsl,
         .settings = reads,
         .needs = needs::list,
+        .offers = traits<front_test, open_directions>::list,
+        .extras = more,
         .fold = &fold_max_glsl,
     };
 };

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <crease/depth/layers.hpp>
+#include <crease/fold/front_first.hpp>
+#include <crease/output/bent_cone.hpp>
 #include <crease/sampler/taps.hpp>
+#include <crease/view/second_view.hpp>
 
 namespace crease {
 
@@ -11,9 +14,21 @@ inline constexpr glsl_file hbao_plus_glsl{
 #include <crease/estimator/hbao_plus.glsl>
 };
 
+inline constexpr glsl_file hbao_plus_front_glsl{
+    "estimator/hbao_plus_front.glsl",
+#include <crease/estimator/hbao_plus_front.glsl>
+};
+
+inline constexpr glsl_file hbao_plus_bent_glsl{
+    "estimator/hbao_plus_bent.glsl",
+#include <crease/estimator/hbao_plus_bent.glsl>
+};
+
 /// Estimator: normal-projected obscurance, HBAO+. The defaults aim at the `linear` truth.
 struct hbao_plus {
     using needs = traits<screen_taps, depth_layers>;
+    static constexpr extra more[] = {{&front_test::value, &hbao_plus_front_glsl},
+                                     {&open_directions::value, &hbao_plus_bent_glsl}};
     static constexpr setting reads[] = {
         {"bias", &parameters::bias, 0.2f, 0, 1, "cosine between the normal and a tap that is taken off"},
         {"strength", &parameters::strength, 2.2f, 0, 16, "factor of the occlusion"},
@@ -27,6 +42,8 @@ struct hbao_plus {
         .glsl = &hbao_plus_glsl,
         .settings = reads,
         .needs = needs::list,
+        .offers = traits<front_test, open_directions, any_eye>::list,
+        .extras = more,
         .fold = &fold_max_glsl,
     };
 };

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <crease/depth/layers.hpp>
+#include <crease/fold/front_first.hpp>
+#include <crease/output/bent_cone.hpp>
 #include <crease/sampler/taps.hpp>
+#include <crease/view/second_view.hpp>
 
 namespace crease {
 
@@ -11,9 +14,21 @@ inline constexpr glsl_file ssao_glsl{
 #include <crease/estimator/ssao.glsl>
 };
 
+inline constexpr glsl_file ssao_front_glsl{
+    "estimator/ssao_front.glsl",
+#include <crease/estimator/ssao_front.glsl>
+};
+
+inline constexpr glsl_file ssao_bent_glsl{
+    "estimator/ssao_bent.glsl",
+#include <crease/estimator/ssao_bent.glsl>
+};
+
 /// Estimator: screen-space ambient occlusion by range-checked points. The defaults aim at the `linear` truth.
 struct ssao {
     using needs = traits<point_taps, depth_layers>;
+    static constexpr extra more[] = {{&front_test::value, &ssao_front_glsl},
+                                     {&open_directions::value, &ssao_bent_glsl}};
     static constexpr setting reads[] = {
         {"bias", &parameters::bias, 0.01f, 0, 1,
          "height over the tangent plane, in radii, below which a point is left out"},
@@ -28,6 +43,8 @@ struct ssao {
         .glsl = &ssao_glsl,
         .settings = reads,
         .needs = needs::list,
+        .offers = traits<front_test, open_directions, any_eye>::list,
+        .extras = more,
         .fold = &fold_max_glsl,
     };
 };

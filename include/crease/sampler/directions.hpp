@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <crease/output/bent_cone.hpp>
 #include <crease/sampler/taps.hpp>
 
 namespace crease {
@@ -24,7 +25,7 @@ struct directions_part {
         .glsl = &directions_glsl,
         .helpers = helpers,
         .numbers = takes,
-        .offers = traits<screen_taps, ordered_taps>::list,
+        .offers = traits<screen_taps, ordered_taps, known_directions>::list,
     };
 };
 

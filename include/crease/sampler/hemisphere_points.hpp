@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <crease/output/bent_cone.hpp>
 #include <crease/sampler/taps.hpp>
 
 namespace crease {
@@ -21,7 +22,7 @@ struct hemisphere_points_part {
         .glsl = &hemisphere_points_glsl,
         .helpers = helpers,
         .numbers = takes,
-        .offers = traits<point_taps>::list,
+        .offers = traits<point_taps, known_directions>::list,
     };
 };
 

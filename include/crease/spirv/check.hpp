@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,24 +49,31 @@ constexpr binding_kind kind_of(access how) {
 class comparison {
 public:
     comparison(const effect_view& effect, const pass& declared, const reflection& found)
-        : effect_(effect), declared_(declared), found_(found) {
-        compare_entry();
+        : effect_(effect), title_("pass '" + std::string(declared.name) + "'"), bindings_(declared.bindings),
+          constants_(declared.constants), found_(found) {
+        compare_entry(declared);
         compare_bindings();
         compare_constants();
         if (declared.stage == stage_kind::compute)
-            compare_workgroup();
+            compare_workgroup(declared);
+    }
+    comparison(const effect_view& effect, const capture& declared, const reflection& found)
+        : effect_(effect), title_("capture '" + std::string(declared.name) + "'"),
+          bindings_(declared.bindings), constants_(declared.constants), found_(found) {
+        compare_bindings();
+        compare_constants();
     }
 
     std::vector<std::string> sentences;
 
 private:
     const effect_view& effect_;
-    const pass& declared_;
+    std::string title_;
+    std::span<const binding> bindings_;
+    std::span<const constant> constants_;
     const reflection& found_;
 
-    void say(std::string sentence) {
-        sentences.push_back("pass '" + std::string(declared_.name) + "': " + std::move(sentence));
-    }
+    void say(std::string sentence) { sentences.push_back(title_ + ": " + std::move(sentence)); }
     void differ(const std::string& what, const std::string& declared, const std::string& found) {
         if (declared != found)
             say(what + " is declared as " + declared + ", but the SPIR-V has " + found);
@@ -75,14 +83,14 @@ private:
         return "set " + std::to_string(set) + " binding " + std::to_string(slot);
     }
 
-    void compare_entry() {
-        const bool compute = declared_.stage == stage_kind::compute;
+    void compare_entry(const pass& of) {
+        const bool compute = of.stage == stage_kind::compute;
         if (found_.model != (compute ? execution_model::compute : execution_model::fragment))
             say(std::string("the SPIR-V is not a ") + (compute ? "compute" : "fragment") + " shader");
         if (found_.entry_point != "main")
             say("the entry point is '" + found_.entry_point + "', not 'main'");
         std::vector<std::uint32_t> declared, found;
-        for (const binding& b : declared_.bindings)
+        for (const binding& b : bindings_)
             if (b.how == access::attachment)
                 declared.push_back(b.slot);
         for (const colour_output& colour : found_.colours)
@@ -101,7 +109,7 @@ private:
 
     void compare_bindings() {
         std::size_t declared_count = 0;
-        for (const binding& b : declared_.bindings) {
+        for (const binding& b : bindings_) {
             if (!has_descriptor(b.how))
                 continue;
             ++declared_count;
@@ -115,7 +123,7 @@ private:
                 compare_binding(b, *at);
         }
         for (const bound_resource& f : found_.bindings) {
-            const bool declared = std::ranges::any_of(declared_.bindings, [&f](const binding& b) {
+            const bool declared = std::ranges::any_of(bindings_, [&f](const binding& b) {
                 return has_descriptor(b.how) && b.set == f.set && b.slot == f.slot;
             });
             if (!declared)
@@ -170,7 +178,7 @@ private:
     }
 
     void compare_constants() {
-        for (const constant& c : declared_.constants) {
+        for (const constant& c : constants_) {
             const std::string name = "crease_" + std::string(c.part) + "_" + std::string(c.number);
             bool there = false;
             for (const specialization_constant& f : found_.constants) {
@@ -188,21 +196,21 @@ private:
                     name);
         }
         for (const specialization_constant& f : found_.constants)
-            if (std::ranges::find(declared_.constants, f.id, &constant::id) == declared_.constants.end())
+            if (std::ranges::find(constants_, f.id, &constant::id) == constants_.end())
                 say("the SPIR-V has constant_id " + std::to_string(f.id) + " (" + f.name +
                     "), which is not declared");
     }
 
-    void compare_workgroup() {
-        if (declared_.constants.size() < 2)
+    void compare_workgroup(const pass& of) {
+        if (constants_.size() < 2)
             return say("a compute pass declares its workgroup's width and height as its first two constants");
-        const unsigned sizes[] = {declared_.group_width(), declared_.group_height(), 1};
+        const unsigned sizes[] = {of.group_width(), of.group_height(), 1};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const workgroup_axis& found = found_.workgroup[axis];
             const std::string what = std::string("the workgroup's ") + "xyz"[axis];
             differ(what, std::to_string(sizes[axis]), std::to_string(found.size));
-            if (axis < 2 && found.id != declared_.constants[axis].id)
-                say(what + " is not set by constant_id " + std::to_string(declared_.constants[axis].id));
+            if (axis < 2 && found.id != constants_[axis].id)
+                say(what + " is not set by constant_id " + std::to_string(constants_[axis].id));
         }
     }
 };
@@ -217,6 +225,12 @@ namespace crease::spirv {
 /// @param declared  a compute or fragment pass of `effect`
 /// @return one sentence for each difference; empty where there is none
 inline std::vector<std::string> mismatches(const effect_view& effect, const pass& declared,
+                                           const reflection& found) {
+    return detail::comparison(effect, declared, found).sentences;
+}
+
+/// The same for a host's fragment shader with a capture of `effect`, whose bindings are all there are.
+inline std::vector<std::string> mismatches(const effect_view& effect, const capture& declared,
                                            const reflection& found) {
     return detail::comparison(effect, declared, found).sentences;
 }

@@ -12,6 +12,7 @@ struct crease_estimate {
 
 struct crease_contribution {
     float occlusion;
+    float rise; // cosine between the normal and the way to the tap less the bias, where that occludes
 };
 
 crease_estimate crease_estimate_begin(crease_receiver receiver) {
@@ -25,7 +26,8 @@ crease_contribution crease_weigh(crease_estimate estimate, crease_receiver recei
     float squared = dot(to_tap, to_tap);
     float rise = dot(to_tap, receiver.normal) * inversesqrt(squared) - crease_bias;
     float falloff = 1.0 - squared * estimate.reach;
-    return crease_contribution(falloff > 0.0 ? falloff * max(rise, 0.0) : 0.0);
+    rise = falloff > 0.0 ? max(rise, 0.0) : 0.0;
+    return crease_contribution(falloff * rise, rise);
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {

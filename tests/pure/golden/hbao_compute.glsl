@@ -248,12 +248,17 @@ void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {
     estimate.horizon = sin_start - estimate.sin_tangent;
 }
 
+// Sine of the angle of a tap, less that of the tangent's; `cosine`: between the normal and the way to the tap.
+float crease_hbao_rise(crease_estimate estimate, float cosine) {
+    float sine = min(cosine * estimate.steepness, 1.0); // of the angle over the tangent plane
+    return estimate.cos_tangent * sine + estimate.sin_tangent * (sqrt(max(1.0 - sine * sine, 0.0)) - 1.0);
+}
+
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     vec3 to_tap = position - receiver.position;
     float squared = dot(to_tap, to_tap);
     float cosine = dot(to_tap, receiver.normal) * inversesqrt(squared);
-    float sine = min(cosine * estimate.steepness, 1.0); // of the angle over the tangent plane
-    float rise = estimate.cos_tangent * sine + estimate.sin_tangent * (sqrt(max(1.0 - sine * sine, 0.0)) - 1.0);
+    float rise = crease_hbao_rise(estimate, cosine);
     float falloff = 1.0 - squared * estimate.reach;
     bool counts = rise > estimate.horizon && falloff > 0.0 && cosine > crease_threshold;
     return counts ? crease_contribution(falloff * (rise - estimate.horizon), rise)
@@ -284,6 +289,8 @@ void crease_gathered_tap(inout crease_gathered gathered, crease_receiver receive
 
 void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiver, crease_estimate estimate,
                           vec2 direction) {}
+
+crease_gathered crease_gathered_turned_back(crease_gathered gathered, mat3 turn) { return gathered; }
 
 crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver) {
     return crease_result(crease_visibility_of(gathered.occlusion), -receiver.position.z);

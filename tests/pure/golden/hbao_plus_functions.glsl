@@ -199,6 +199,7 @@ struct crease_estimate {
 
 struct crease_contribution {
     float occlusion;
+    float rise; // cosine between the normal and the way to the tap less the bias, where that occludes
 };
 
 crease_estimate crease_estimate_begin(crease_receiver receiver) {
@@ -212,7 +213,8 @@ crease_contribution crease_weigh(crease_estimate estimate, crease_receiver recei
     float squared = dot(to_tap, to_tap);
     float rise = dot(to_tap, receiver.normal) * inversesqrt(squared) - crease_bias;
     float falloff = 1.0 - squared * estimate.reach;
-    return crease_contribution(falloff > 0.0 ? falloff * max(rise, 0.0) : 0.0);
+    rise = falloff > 0.0 ? max(rise, 0.0) : 0.0;
+    return crease_contribution(falloff * rise, rise);
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {
@@ -237,6 +239,8 @@ void crease_gathered_tap(inout crease_gathered gathered, crease_receiver receive
 
 void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiver, crease_estimate estimate,
                           vec2 direction) {}
+
+crease_gathered crease_gathered_turned_back(crease_gathered gathered, mat3 turn) { return gathered; }
 
 crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver) {
     return crease_result(crease_visibility_of(gathered.occlusion), -receiver.position.z);

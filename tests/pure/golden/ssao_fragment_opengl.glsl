@@ -269,6 +269,8 @@ void crease_gathered_tap(inout crease_gathered gathered, crease_receiver receive
 void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiver, crease_estimate estimate,
                           vec2 direction) {}
 
+crease_gathered crease_gathered_turned_back(crease_gathered gathered, mat3 turn) { return gathered; }
+
 crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver) {
     return crease_result(crease_visibility_of(gathered.occlusion), -receiver.position.z);
 }

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/encoding.hpp>
+#include <crease/part.hpp>
+
+namespace crease {
+
+inline constexpr glsl_file encoding_bent_cone_glsl{
+    "encoding/bent_cone.glsl",
+#include <crease/encoding/bent_cone.glsl>
+};
+
+inline constexpr glsl_file encoding_visibility_depth_cone_glsl{
+    "encoding/visibility_depth_cone.glsl",
+#include <crease/encoding/visibility_depth_cone.glsl>
+};
+
+inline constexpr glsl_file bent_cone_result_glsl{
+    "output/bent_cone_result.glsl",
+#include <crease/output/bent_cone_result.glsl>
+};
+
+inline constexpr glsl_file bent_cone_glsl{
+    "output/bent_cone.glsl",
+#include <crease/output/bent_cone.glsl>
+};
+
+/// Taps that tell the estimator in which direction they look.
+CREASE_TRAIT(known_directions, sampler,
+             "the output needs taps along known directions, which the sampler does not propose");
+
+/// Knows which directions are open: crease_bend_tap, crease_bend_turn, crease_bend_cone.
+CREASE_TRAIT(open_directions, estimator,
+             "the output needs to know open directions, which the estimator does not");
+
+/// The bent normal in view space, unit, and the half angle of the bent cone in radians; 0, 0, 0, pi / 2 where
+/// there is background.
+inline constexpr encoding bent_cone_encoding{"bent_cone", format::rgba16_float, &encoding_bent_cone_glsl};
+
+/// What a filter reads: visibility, linear depth and the bent cone in one texel.
+inline constexpr encoding visibility_depth_cone_encoding{"visibility_depth_cone", format::rg32_uint,
+                                                         &encoding_visibility_depth_cone_glsl};
+
+/// Output: visibility, and the image `bent_cone` of the mean open direction and the cone around it.
+struct bent_cone {
+    using needs = traits<known_directions, open_directions>;
+    static constexpr const encoding* images[] = {&visibility_encoding, &bent_cone_encoding};
+    static constexpr part description{
+        .kind = role::output,
+        .name = "bent_cone",
+        .summary = "visibility, and the bent normal with its cone",
+        .source = "stochastic-depth-ao 2020, 7.1, Algorithms 10 and 11",
+        .glsl = &bent_cone_glsl,
+        .needs = needs::list,
+        .result = &bent_cone_result_glsl,
+        .between = &visibility_depth_cone_encoding,
+        .final_images = images,
+    };
+};
+
+}

@@ -1,0 +1,12 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// Layers in an array image that holds the bits of their linear depths; where there is none, they are those of a NaN.
+
+float crease_captured_depth(ivec2 texel, int sample_index) {
+    return uintBitsToFloat(texelFetch(crease_captured_layers, ivec3(texel, sample_index), 0).x);
+}
+#ifdef __cplusplus
+")glsl"
+#endif

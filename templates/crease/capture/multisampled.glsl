@@ -1,0 +1,14 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// Layers in the samples of a multisampled depth image.
+
+float crease_linear_depth(float device);
+
+float crease_captured_depth(ivec2 texel, int sample_index) {
+    return crease_linear_depth(texelFetch(crease_captured_layers, texel, sample_index).x);
+}
+#ifdef __cplusplus
+")glsl"
+#endif

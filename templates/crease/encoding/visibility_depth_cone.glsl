@@ -1,0 +1,27 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// Visibility and depth in one word, as without a cone; in the other the bent normal as a point of the octahedron, in 12
+// bits each way, and the cone's angle in 8.
+
+uvec4 crease_encode_visibility_depth_cone(crease_result result) {
+    vec3 bent = result.bent / max(abs(result.bent.x) + abs(result.bent.y) + abs(result.bent.z), 1e-20);
+    vec2 folded = (1.0 - abs(bent.yx)) * vec2(bent.x < 0.0 ? -1.0 : 1.0, bent.y < 0.0 ? -1.0 : 1.0);
+    uvec2 point = uvec2((bent.z < 0.0 ? folded : bent.xy) * 2047.0 + 2048.0);
+    uint word = (floatBitsToUint(result.depth) & ~255u) | uint(result.visibility * 255.0 + 0.5);
+    uint cone = uint(clamp(result.cone * (255.0 / 1.57079633), 0.0, 255.0) + 0.5);
+    return uvec4(word, point.x | point.y << 12u | cone << 24u, 0u, 0u);
+}
+
+crease_result crease_decode_visibility_depth_cone(uvec4 texel) {
+    vec2 point = (vec2(texel.y & 4095u, texel.y >> 12u & 4095u) - 2047.5) / 2047.0;
+    vec3 bent = vec3(point, 1.0 - abs(point.x) - abs(point.y));
+    float outside = max(-bent.z, 0.0);
+    bent.xy -= outside * vec2(bent.x < 0.0 ? -1.0 : 1.0, bent.y < 0.0 ? -1.0 : 1.0);
+    return crease_result(float(texel.x & 255u) * (1.0 / 255.0), uintBitsToFloat(texel.x & ~255u), normalize(bent),
+                         float(texel.y >> 24u) * (1.57079633 / 255.0));
+}
+#ifdef __cplusplus
+")glsl"
+#endif

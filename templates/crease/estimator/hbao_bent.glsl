@@ -1,0 +1,29 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// For each direction the normal, turned away from the horizon by its angle over the tangent: stochastic-depth-ao 7.1,
+// Algorithm 11.
+
+void crease_bend_tap(inout crease_bend bend, crease_receiver receiver, crease_tap tap,
+                     crease_contribution contribution) {}
+
+void crease_bend_turn(inout crease_bend bend, crease_receiver receiver, crease_estimate estimate, vec2 direction) {
+    vec2 start = vec2(estimate.cos_tangent * estimate.bias.x - estimate.sin_tangent * estimate.bias.y,
+                      estimate.sin_tangent * estimate.bias.x + estimate.cos_tangent * estimate.bias.y);
+    float sin_horizon = min(estimate.horizon + estimate.sin_tangent, 1.0);
+    float cos_horizon = sqrt(1.0 - sin_horizon * sin_horizon);
+    // The horizon's angle less that at which the direction began.
+    float cosine = cos_horizon * start.x + sin_horizon * start.y;
+    float sine = max(sin_horizon * start.x - cos_horizon * start.y, 0.0);
+    vec3 axis = cross(receiver.to_eye, receiver.across * direction.x + receiver.up * direction.y);
+    bend.sum += receiver.normal * cosine - cross(axis, receiver.normal) * sine +
+        axis * (dot(axis, receiver.normal) * (1.0 - cosine));
+    bend.cone += acos(min(sine, 1.0));
+    bend.weight += 1.0;
+}
+
+float crease_bend_cone(crease_bend bend) { return bend.cone / bend.weight; }
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,27 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// For each direction the normal, turned away from the highest tap by its angle over the tangent plane:
+// stochastic-depth-ao 7.1, the form with lambda.
+
+void crease_bend_tap(inout crease_bend bend, crease_receiver receiver, crease_tap tap,
+                     crease_contribution contribution) {
+    bend.highest = max(bend.highest, contribution.rise);
+}
+
+void crease_bend_turn(inout crease_bend bend, crease_receiver receiver, crease_estimate estimate, vec2 direction) {
+    float sine = min(bend.highest, 1.0);
+    float cosine = sqrt(1.0 - sine * sine);
+    vec3 axis = cross(receiver.to_eye, receiver.across * direction.x + receiver.up * direction.y);
+    bend.sum += receiver.normal * cosine - cross(axis, receiver.normal) * sine +
+        axis * (dot(axis, receiver.normal) * (1.0 - cosine));
+    bend.cone += acos(sine);
+    bend.weight += 1.0;
+    bend.highest = 0.0;
+}
+
+float crease_bend_cone(crease_bend bend) { return bend.cone / bend.weight; }
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,24 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// The mean direction of the points, weighed by how open they are, and the cone that its length stands for:
+// stochastic-depth-ao 7.1, Algorithm 10.
+
+void crease_bend_tap(inout crease_bend bend, crease_receiver receiver, crease_tap tap,
+                     crease_contribution contribution) {
+    vec3 to_point = tap.point - receiver.position;
+    float open = (1.0 - contribution.occlusion) * contribution.points;
+    bend.sum += to_point * (open * inversesqrt(max(dot(to_point, to_point), 1e-30)));
+    bend.weight += open;
+}
+
+void crease_bend_turn(inout crease_bend bend, crease_receiver receiver, crease_estimate estimate, vec2 direction) {}
+
+float crease_bend_cone(crease_bend bend) {
+    float mean_length = length(bend.sum) / max(bend.weight, 1e-6);
+    return 1.57079633 * (1.0 - max(2.0 * mean_length - 1.0, 0.0));
+}
+#ifdef __cplusplus
+")glsl"
+#endif
