@@ -124,9 +124,9 @@ constexpr refusal check(std::span<const choice> choices) {
         if (rules::waits_to_be_wanted(p.kind) && !rules::wants(*choices[1].what, p.kind))
             return {rules::layers_captured, p.name, choices[1].what->name};
         for (const trait* needed : p.needs)
-            for (std::size_t j = 0; j < 3; ++j)
-                if (choices[j].what->kind == needed->from && !has(choices[j].what->offers, needed))
-                    return {needed->sentence, p.name, choices[j].what->name};
+            for (const choice& other : choices)
+                if (other.what->kind == needed->from && !has(other.what->offers, needed))
+                    return {needed->sentence, p.name, other.what->name};
         if (rules::takes_full_size(choices[i]) && !rules::input_is_full_size(choices, i))
             return {rules::full_size_input, p.name};
     }
@@ -208,25 +208,30 @@ constexpr bool assert_each() {
     }();
 }
 
-template <class Needer, class Sampler, class DepthSource, class Estimator, class... Traits>
-constexpr bool assert_met(traits<Traits...>) {
-    constexpr auto one = []<class Trait>(Trait*) {
-        if constexpr (Trait::value.from == role::sampler)
-            return Trait::template met<Needer, Sampler>();
-        else if constexpr (Trait::value.from == role::depth_source)
-            return Trait::template met<Needer, DepthSource>();
-        else
-            return Trait::template met<Needer, Estimator>();
-    };
-    return (one(static_cast<Traits*>(nullptr)) && ...);
-}
-
-template <class Needer, class Sampler, class DepthSource, class Estimator>
-constexpr bool assert_needs() {
-    if constexpr (requires { typename Needer::needs; })
-        return assert_met<Needer, Sampler, DepthSource, Estimator>(typename Needer::needs{});
+template <class Needer, class Trait, class Other>
+constexpr bool assert_met() {
+    if constexpr (has_role<Other, Trait::value.from>)
+        return Trait::template met<Needer, Other>();
     else
         return true;
+}
+
+template <class Needer, class... Others>
+constexpr bool assert_needs() {
+    if constexpr (requires { typename Needer::needs; })
+        return []<class... Traits>(traits<Traits...>) {
+            constexpr auto one = []<class Trait>(Trait*) {
+                return (assert_met<Needer, Trait, Others>() && ...);
+            };
+            return (one(static_cast<Traits*>(nullptr)) && ...);
+        }(typename Needer::needs{});
+    else
+        return true;
+}
+
+template <class... Parts>
+constexpr bool assert_every_need() {
+    return (assert_needs<Parts, Parts...>() && ...);
 }
 
 /// Asserts every rule on the parts of an effect; true where all hold.
@@ -241,10 +246,7 @@ constexpr bool assert_all() {
                       assert_few_enough<(3 + sizeof...(Rest) <= most_chosen), Rest...>())
             return assert_each<Sampler, DepthSource, Estimator, Rest...>() &&
                    (assert_layers_captured<is_wanted<Rest, DepthSource>, Rest, DepthSource>() && ...) &&
-                   assert_needs<Sampler, Sampler, DepthSource, Estimator>() &&
-                   assert_needs<DepthSource, Sampler, DepthSource, Estimator>() &&
-                   assert_needs<Estimator, Sampler, DepthSource, Estimator>() &&
-                   (assert_needs<Rest, Sampler, DepthSource, Estimator>() && ...);
+                   assert_every_need<Sampler, DepthSource, Estimator, Rest...>();
     }
     return false;
 }

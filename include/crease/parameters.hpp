@@ -66,6 +66,18 @@ struct clip_space {
                        ///< viewport height); else it is row 0 (Vulkan, OpenGL)
 };
 
+/// Widens a projection by a guard band: from that of a picture to that which draws its larger depth image.
+/// @param matrix  column-major, view space to clip space
+/// @param width,height,guard  texels: of the picture, and the band on each of its sides
+constexpr void widen_projection(float (&matrix)[16], unsigned width, unsigned height, unsigned guard) {
+    const float across = static_cast<float>(width) / static_cast<float>(width + 2 * guard);
+    const float down = static_cast<float>(height) / static_cast<float>(height + 2 * guard);
+    for (int column = 0; column < 4; ++column) {
+        matrix[4 * column] *= across;
+        matrix[4 * column + 1] *= down;
+    }
+}
+
 /// Fills a view from a projection matrix, perspective or orthographic, also off-centre, with
 /// standard, reversed or infinite-far depth.
 /// @param matrix column-major, view space to clip space; with [11] = -1 and [15] = 0 perspective, with [11] =

@@ -236,11 +236,13 @@ constexpr program write_evaluate(const plan& p, const planned_pass& pass) {
         to.add_file(&receiver_glsl);
     to.add_files_of(roles);
     if (is_main) {
-        const choice* fold = p.find(role::fold);
-        const glsl_file* of_source = p.chosen(role::depth_source).what->fold;
-        const glsl_file* of_three = of_source ? of_source : p.chosen(role::estimator).what->fold;
-        if (!fold)
-            to.add_file(of_three);
+        if (const choice* fold = p.find(role::fold)) {
+            for (const glsl_file* file : fold->what->folds)
+                to.add_file(file);
+        } else {
+            const glsl_file* of_source = p.chosen(role::depth_source).what->fold;
+            to.add_file(of_source ? of_source : p.chosen(role::estimator).what->fold);
+        }
         to.add_file(&gather_glsl);
     }
     if (pass.input >= 0)

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <memory>
 
 namespace crease::tools {
@@ -31,6 +32,9 @@ struct bench_options {
     std::vector<std::string> settings;
     std::string device;
     std::filesystem::path truths;
+    std::vector<std::string> cameras;
+    bool hidden = false;
+    unsigned guard = 0;
     unsigned width = 1280, height = 720, rays = 256, repeats = 15;
     bool as_json = false;
 };
@@ -40,16 +44,20 @@ struct subject {
     std::string name;
     camera from;
     gbuffer inputs;
-    image hard, linear, quad;
+    image hard, linear, quad, bent, mask;
 };
 
 /// The truth of a view, traced once where a directory keeps it.
 void add_truth(subject& view, const mesh& scene, const bench_options& options) {
     const std::filesystem::path kept = options.truths / view.name / view.from.name;
-    if (!options.truths.empty() && std::filesystem::exists(kept / "ao_quad.pfm")) {
+    const char* last = options.hidden ? "mask.pfm" : "bent.pfm";
+    if (!options.truths.empty() && std::filesystem::exists(kept / last)) {
         view.hard = read_pfm(kept / "ao_hard.pfm");
         view.linear = read_pfm(kept / "ao_linear.pfm");
         view.quad = read_pfm(kept / "ao_quad.pfm");
+        view.bent = read_pfm(kept / "bent.pfm");
+        if (options.hidden)
+            view.mask = read_pfm(kept / "mask.pfm");
         return;
     }
     progress bar(fmt::format("tracing {} {}", view.name, view.from.name));
@@ -58,19 +66,26 @@ void add_truth(subject& view, const mesh& scene, const bench_options& options) {
                                 .height = options.height,
                                 .radius = view.from.ao_radius,
                                 .rays = options.rays,
+                                .first_layer = options.hidden,
                                 .progress = [&bar](double done) {
                                     bar(done);
                                     return true;
                                 }});
+    if (options.hidden)
+        view.mask = hidden_mask(traced);
     if (!options.truths.empty()) {
         make_directory(kept);
         write_pfm(kept / "ao_hard.pfm", traced.ao_hard);
         write_pfm(kept / "ao_linear.pfm", traced.ao_linear);
         write_pfm(kept / "ao_quad.pfm", traced.ao_quad);
+        write_pfm(kept / "bent.pfm", traced.bent);
+        if (options.hidden)
+            write_pfm(kept / "mask.pfm", view.mask);
     }
     view.hard = std::move(traced.ao_hard);
     view.linear = std::move(traced.ao_linear);
     view.quad = std::move(traced.ao_quad);
+    view.bent = std::move(traced.bent);
 }
 
 /// All views of a scene file, whose cameras are in <stem>.cameras.json beside it; or of the built-in scene.
@@ -81,10 +96,18 @@ std::vector<subject> load_subjects(vulkan::device& device, const std::string& pa
     const std::filesystem::path cameras = std::filesystem::path(path).replace_extension(".cameras.json");
     std::vector<subject> views;
     for (camera from : built_in ? built_in_cameras() : load_cameras(cameras)) {
+        if (!options.cameras.empty() && std::ranges::count(options.cameras, from.name) == 0)
+            continue;
         from.width = options.width;
         from.height = options.height;
-        subject view{
-            std::filesystem::path(path).stem().string(), from, rasterise(device, scene, from), {}, {}, {}};
+        subject view{std::filesystem::path(path).stem().string(),
+                     from,
+                     rasterise(device, scene, from, options.guard),
+                     {},
+                     {},
+                     {},
+                     {},
+                     {}};
         add_truth(view, scene, options);
         views.push_back(std::move(view));
     }
@@ -92,15 +115,53 @@ std::vector<subject> load_subjects(vulkan::device& device, const std::string& pa
 }
 
 struct score {
-    double milliseconds = 0, rmse_hard = 0, rmse_linear = 0, rmse_quad = 0, ssim = 0, bias = 0;
+    double milliseconds = 0, capture_milliseconds = 0;
+    double rmse_hard = 0, rmse_linear = 0, rmse_quad = 0, ssim = 0, bias = 0;
 };
+
+/// A recipe, and settings of its own behind it: RECIPE[@name=value,...].
+struct candidate {
+    recipe chosen;
+    std::map<std::string, float> settings;
+};
+
+candidate parse_candidate(std::string_view text, const bench_options& options) {
+    const std::size_t at = std::min(text.find('@'), text.size());
+    std::vector<std::string> settings = options.settings;
+    for (std::string_view rest = text.substr(at); !rest.empty();) {
+        rest.remove_prefix(1);
+        const std::size_t comma = std::min(rest.find(','), rest.size());
+        settings.emplace_back(rest.substr(0, comma));
+        rest.remove_prefix(comma);
+    }
+    candidate read{recipe(text.substr(0, at)), parse_settings(settings)};
+    if (!read.chosen)
+        throw std::runtime_error(std::string(read.chosen.error()));
+    return read;
+}
+
+/// What else a view can say of a picture: the error where hidden geometry matters, and the angle to the bent
+/// normal.
+void add_particulars(nlohmann::ordered_json& row, const subject& view, const frame& made) {
+    if (std::ranges::count(view.mask.texels, 1.0f) > 0) {
+        image depth = view.inputs.depth;
+        for (std::size_t i = 0; i < depth.texels.size(); ++i)
+            if (view.mask.texels[i] == 0)
+                depth.texels[i] = view.from.far;
+        const comparison hidden =
+            compare(made.visibility, view.linear, {.depth = &depth, .far = view.from.far});
+        row["rmse_hidden"] = hidden.rmse;
+        row["bias_hidden"] = hidden.bias;
+        row["pixels_hidden"] = hidden.pixels;
+    }
+    if (made.bent)
+        row["bent_degrees"] = mean_angle(*made.bent, view.bent);
+}
 
 nlohmann::ordered_json measure(vulkan::device& device, const std::string& text,
                                const std::vector<subject>& views, const bench_options& options) {
-    const recipe chosen{std::string_view(text)};
-    if (!chosen)
-        throw std::runtime_error(std::string(chosen.error()));
-    const std::map<std::string, float> settings = parse_settings(options.settings);
+    const auto [wanted, settings] = parse_candidate(text, options);
+    const recipe chosen = supported(device, wanted);
     nlohmann::ordered_json passes = nlohmann::ordered_json::array(), each = nlohmann::ordered_json::array();
     const auto composed = std::make_unique<composition>(chosen);
     for (const pass& p : composed->view().passes) {
@@ -118,6 +179,9 @@ nlohmann::ordered_json measure(vulkan::device& device, const std::string& text,
                 passes[i]["milliseconds"] = made.passes[i].milliseconds;
                 mean.milliseconds += made.passes[i].milliseconds;
             }
+        if (v == 0)
+            for (const vulkan::pass_time& t : made.captures)
+                mean.capture_milliseconds += t.milliseconds;
         const comparison_settings mask{.depth = &view.inputs.depth, .far = view.from.far};
         const comparison linear = compare(made.visibility, view.linear, mask);
         const double share = 1.0 / static_cast<double>(views.size());
@@ -135,9 +199,11 @@ nlohmann::ordered_json measure(vulkan::device& device, const std::string& text,
                         {"rmse_quad", quad},
                         {"ssim", linear.ssim},
                         {"bias", linear.bias}});
+        add_particulars(each.back(), view, made);
     }
     return {{"recipe", text},
             {"milliseconds", mean.milliseconds},
+            {"capture_milliseconds", mean.capture_milliseconds},
             {"rmse_hard", mean.rmse_hard},
             {"rmse_linear", mean.rmse_linear},
             {"rmse_quad", mean.rmse_quad},
@@ -153,6 +219,15 @@ void print(const nlohmann::ordered_json& row) {
         row["recipe"].get<std::string>(), row["milliseconds"].get<double>(), row["rmse_hard"].get<double>(),
         row["rmse_linear"].get<double>(), row["rmse_quad"].get<double>(), row["ssim"].get<double>(),
         row["bias"].get<double>());
+    if (row["capture_milliseconds"].get<double>() > 0)
+        fmt::print("    {:<54} {:7.2f} ms\n", "captures", row["capture_milliseconds"].get<double>());
+    for (const auto& v : row["views"])
+        for (const char* extra : {"rmse_hidden", "bent_degrees"})
+            if (v.contains(extra))
+                fmt::print("    {:<54} {:7.4f}\n",
+                           fmt::format("{} of {} {}", extra, v["scene"].get<std::string>(),
+                                       v["camera"].get<std::string>()),
+                           v[extra].get<double>());
     for (const auto& p : row["passes"])
         fmt::print("    {:<54} {:7.2f} ms   {} fetches, {} instructions a pixel\n",
                    p["name"].get<std::string>(), p["milliseconds"].get<double>(),
@@ -166,6 +241,8 @@ void run(const bench_options& options) {
          options.scenes.empty() ? std::vector<std::string>{"built-in"} : options.scenes)
         for (subject& view : load_subjects(device, scene, options))
             views.push_back(std::move(view));
+    if (views.empty())
+        throw std::runtime_error("none of the scenes has a camera that --cameras names");
     const double fetch_loop = time_fetch_loop(device, views[0].inputs, options.repeats);
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     if (!options.as_json) {
@@ -194,7 +271,13 @@ void add_bench(CLI::App& app) {
     const auto options = std::make_shared<bench_options>();
     command->add_option("scenes", options->scenes,
                         "scene files with <stem>.cameras.json beside them, or built-in; else built-in");
-    command->add_option("--recipes", options->recipes, "to measure; else a handful");
+    command->add_option("--recipes", options->recipes, "to measure, RECIPE[@name=value,...]; else a handful");
+    command->add_flag(
+        "--hidden", options->hidden,
+        "also the error where geometry that the camera cannot see takes more than 0.15 of the visibility");
+    command->add_option("--guard", options->guard, "width of the guard band around the pictures, texels")
+        ->check(CLI::Range(0u, 4096u));
+    command->add_option("--cameras", options->cameras, "names of the cameras to use; else all");
     command->add_option("--set", options->settings, "name=value of a setting, for all recipes");
     command->add_option("--device", options->device, "part of the name of a Vulkan device");
     command->add_option("--truths", options->truths,

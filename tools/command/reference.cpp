@@ -19,6 +19,7 @@ struct reference_options {
     scene_options scene;
     unsigned rays = 256;
     std::uint32_t seed = 1;
+    bool mask = false;
     std::filesystem::path directory;
 };
 
@@ -31,6 +32,7 @@ void run(const reference_options& options) {
                             .height = from.height,
                             .radius = from.ao_radius,
                             .rays = options.rays,
+                            .first_layer = options.mask,
                             .seed = options.seed,
                             .progress = [&shown](double done) {
                                 shown(done);
@@ -40,6 +42,12 @@ void run(const reference_options& options) {
     write_pfm(options.directory / "ao_hard.pfm", traced.ao_hard);
     write_pfm(options.directory / "ao_linear.pfm", traced.ao_linear);
     write_pfm(options.directory / "ao_quad.pfm", traced.ao_quad);
+    write_pfm(options.directory / "bent.pfm", traced.bent);
+    if (options.mask) {
+        write_pfm(options.directory / "ao_first_layer.pfm", traced.ao_first_layer);
+        write_pfm(options.directory / "mask.pfm", hidden_mask(traced));
+        write_png(options.directory / "mask.png", hidden_mask(traced));
+    }
     write_pfm(options.directory / "depth.pfm", traced.depth);
     write_pfm(options.directory / "normal.pfm", traced.normal);
     write_png(options.directory / "ao_linear.png", traced.ao_linear);
@@ -60,6 +68,9 @@ void add_reference(CLI::App& app) {
     command->add_option("--rays", options->rays, "for each texel")
         ->check(CLI::Range(1u, 65536u))
         ->capture_default_str();
+    command->add_flag(
+        "--mask", options->mask,
+        "also where geometry that the camera cannot see takes more than 0.15 of the visibility");
     command->add_option("--seed", options->seed, "of the rays")->capture_default_str();
     command->add_option("-o,--output", options->directory, "directory for the files")->required();
     command->callback([options] { run(*options); });

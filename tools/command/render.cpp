@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <memory>
+#include <numbers>
 
 namespace crease::tools {
 
@@ -16,20 +17,33 @@ namespace {
 
 struct render_options {
     scene_options scene;
-    std::string recipe, device;
+    std::string recipe, device, second_camera;
+    unsigned guard = 0;
+    std::uint32_t frame = 0;
     std::vector<std::string> settings;
     bool validation = false;
     std::filesystem::path directory;
 };
 
+image scaled(image values, float by, float and_add) {
+    for (float& v : values.texels)
+        v = v * by + and_add;
+    return values;
+}
+
+nlohmann::ordered_json times_of(const std::vector<vulkan::pass_time>& times) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const vulkan::pass_time& t : times)
+        all.push_back({{"name", t.pass}, {"milliseconds", t.milliseconds}});
+    return all;
+}
+
 nlohmann::ordered_json describe(const render_options& options, const camera& from, const recipe& chosen,
                                 const parameters& used, const frame& made, const std::string& device) {
-    nlohmann::ordered_json settings, passes = nlohmann::ordered_json::array();
+    nlohmann::ordered_json settings;
     for (const choice& c : complete(chosen.choices()))
         for (const setting& s : c.what->settings)
             settings[std::string(s.name)] = used.*s.field;
-    for (const vulkan::pass_time& t : made.passes)
-        passes.push_back({{"name", t.pass}, {"milliseconds", t.milliseconds}});
     return {{"scene", options.scene.scene},
             {"camera", from.name},
             {"width", from.width},
@@ -40,23 +54,36 @@ nlohmann::ordered_json describe(const render_options& options, const camera& fro
             {"recipe", std::string(chosen.text().view())},
             {"settings", settings},
             {"device", device},
-            {"passes", passes}};
+            {"guard", options.guard},
+            {"frame", options.frame},
+            {"captures", times_of(made.captures)},
+            {"passes", times_of(made.passes)}};
 }
 
 void run(const render_options& options) {
-    const recipe chosen{std::string_view(options.recipe)};
-    if (!chosen)
-        throw std::runtime_error(std::string(chosen.error()));
+    const recipe wanted{std::string_view(options.recipe)};
+    if (!wanted)
+        throw std::runtime_error(std::string(wanted.error()));
     const mesh scene = options.scene.load();
     const camera from = options.scene.load_camera();
-    const frame_options how{.radius = from.ao_radius, .settings = parse_settings(options.settings)};
-    const parameters used = settle(chosen, how);
+    frame_options how{
+        .radius = from.ao_radius, .settings = parse_settings(options.settings), .frame = options.frame};
+    if (!options.second_camera.empty())
+        how.second = find_camera(options.scene.load_all_cameras(), options.second_camera);
+    const parameters used = settle(wanted, how);
     vulkan::device device({.name = options.device, .validation = options.validation});
-    const gbuffer inputs = rasterise(device, scene, from);
+    const recipe chosen = supported(device, wanted);
+    const gbuffer inputs = rasterise(device, scene, from, options.guard);
     const frame made = run_effect(device, chosen, inputs, how);
     make_directory(options.directory);
     write_pfm(options.directory / "ao.pfm", made.visibility);
     write_png(options.directory / "ao.png", made.visibility);
+    if (made.bent) {
+        write_pfm(options.directory / "bent.pfm", *made.bent);
+        write_pfm(options.directory / "cone.pfm", *made.cone);
+        write_png(options.directory / "bent.png", scaled(*made.bent, 0.5f, 0.5f));
+        write_png(options.directory / "cone.png", scaled(*made.cone, 2 / std::numbers::pi_v<float>, 0));
+    }
     write_pfm(options.directory / "depth.pfm", inputs.depth);
     write_pfm(options.directory / "normal.pfm", inputs.normal);
     const exr_channel channels[] = {{"visibility", made.visibility},
@@ -80,6 +107,11 @@ void add_render(CLI::App& app) {
         ->required();
     command->add_option("--set", options->settings,
                         "name=value of a setting, see `crease list`; may be repeated");
+    command->add_option("--second-camera", options->second_camera,
+                        "name of the camera of a second view; else one is placed beside the first");
+    command->add_option("--guard", options->guard, "width of the guard band around the picture, texels")
+        ->check(CLI::Range(0u, 4096u));
+    command->add_option("--frame", options->frame, "index that changes the randomness");
     command->add_option("--device", options->device, "part of the name of a Vulkan device");
     command->add_flag("--validation", options->validation,
                       "with the validation layers, every message an error");

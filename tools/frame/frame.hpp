@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "frame/geometry.hpp"
 #include "image/image.hpp"
 #include "scene/scene.hpp"
 
@@ -8,40 +9,56 @@
 #include <crease/vulkan.hpp>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace crease::tools {
 
-/// What the rasteriser makes of a scene: the inputs of an effect.
+/// What the rasteriser makes of a scene: the inputs of an effect, and the geometry for what else it captures.
 struct gbuffer {
-    view_parameters view;      ///< the projection and the resolution
-    std::vector<float> device; ///< device depth, 1 where there is background
-    image depth;  ///< positive linear view depth; the camera's far plane where there is background
-    image normal; ///< view space, unit, geometric, facing the camera; 0 where there is background
+    view_parameters view; ///< the projection, the resolution and the guard band
+    unsigned guard = 0;   ///< width of the guard band, texels
+    geometry drawn;
+    std::vector<float> device;  ///< device depth, guard band included; 1 where there is background
+    std::vector<float> normals; ///< four a texel, guard band included: view space, unit, geometric, facing
+                                ///< the camera; 0 where there is background
+    image depth;  ///< of the picture: positive linear view depth; the camera's far plane where there is
+                  ///< background
+    image normal; ///< of the picture: the normals, 3 channels
 };
 
-/// Rasterises the scene, both sides of every triangle, at the camera's width and height.
+/// Rasterises the scene, both sides of every triangle, at the camera's width and height and a guard band
+/// around.
 /// @throws vulkan::error
-gbuffer rasterise(vulkan::device& device, const mesh& scene, const camera& from);
+gbuffer rasterise(vulkan::device& device, const mesh& scene, const camera& from, unsigned guard = 0);
 
 /// A picture of an effect.
 struct frame {
     image visibility;
-    std::vector<vulkan::pass_time> passes; ///< medians over the repeats
+    std::optional<image> bent, cone; ///< where the effect has that output: 3 channels, view space; radians
+    std::vector<vulkan::pass_time> captures; ///< medians over the repeats
+    std::vector<vulkan::pass_time> passes;   ///< medians over the repeats
 };
 
 struct frame_options {
     float radius = 1;                      ///< world space, >= 0
     std::map<std::string, float> settings; ///< by the names that the effect's parts give them
     unsigned repeats = 1;                  ///< timed runs
+    std::uint32_t frame = 0;               ///< index that changes the randomness
+    std::optional<camera> second = {};     ///< of an effect with a second view; else placed beside the first
 };
 
 /// Reads settings given as name=value.
 /// @throws std::runtime_error  that quotes the one that does not read so
 std::map<std::string, float> parse_settings(const std::vector<std::string>& texts);
 
-/// Runs an effect on a G-buffer. The effect reads device depth and given or reconstructed normals.
+/// The recipe with the first layer carrier that the device supports, where it captures layers and names none.
+/// @throws vulkan::error  where the device supports none
+recipe supported(const vulkan::device& device, const recipe& chosen);
+
+/// Runs an effect on a G-buffer, after its captures. The effect reads device depth and given or reconstructed
+/// normals.
 /// @throws std::runtime_error  where a setting is unknown to every part of the recipe or out of its range;
 ///         vulkan::error
 frame run_effect(vulkan::device& device, const recipe& chosen, const gbuffer& inputs,

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "frame/frame.hpp"
 
+#include <crease/second_camera.hpp>
+
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <memory>
 
@@ -8,19 +12,40 @@ namespace crease::tools {
 
 namespace {
 
+constexpr const char* vertex_glsl = R"glsl(#version 450
+layout(push_constant) uniform transforms {
+    mat4 view_from_world;
+    mat4 clip_from_view;
+};
+layout(location = 0) in vec3 position;
+layout(location = 0) out vec3 world_position;
+
+void main() {
+    world_position = position;
+    gl_Position = clip_from_view * (view_from_world * vec4(position, 1.0));
+}
+)glsl";
+
+constexpr const char* fragment_glsl = R"glsl(
+layout(location = 0) in vec3 world_position;
+
+void main() { crease_capture(world_position); }
+)glsl";
+
 void upload_inputs(vulkan::runner& runner, const effect_view& effect, const gbuffer& inputs) {
     for (const resource& wanted : effect.resources) {
         if (wanted.life != lifetime::input || wanted.texels == format::none)
             continue;
         if (wanted.name == "normal") {
-            std::vector<float> four;
-            for (std::size_t i = 0; i < inputs.normal.texels.size(); i += 3)
-                four.insert(four.end(), {inputs.normal.texels[i], inputs.normal.texels[i + 1],
-                                         inputs.normal.texels[i + 2], 0.0f});
-            runner.upload(wanted.name, four);
+            runner.upload(wanted.name, inputs.normals);
+        } else if (wanted.texels == format::d32_float) {
+            runner.upload(wanted.name, inputs.device);
         } else {
-            runner.upload(wanted.name,
-                          wanted.texels == format::d32_float ? inputs.device : inputs.depth.texels);
+            std::vector<float> linear;
+            for (float z : inputs.device)
+                linear.push_back(
+                    1 / std::max(z * inputs.view.depth_unpack[0] + inputs.view.depth_unpack[1], 1e-15f));
+            runner.upload(wanted.name, linear);
         }
     }
 }
@@ -40,10 +65,84 @@ std::vector<vulkan::pass_time> medians(const std::vector<std::vector<vulkan::pas
     return middle;
 }
 
+/// The second camera's place: that of the options, or beside the first and turned to the middle of what it
+/// sees.
+void place_second(parameters& how, const gbuffer& inputs, const frame_options& options) {
+    if (options.second) {
+        const glm::mat4 turn = view_matrix(*options.second) * glm::inverse(inputs.drawn.how.view_from_world);
+        std::copy_n(glm::value_ptr(turn), 16, how.second_from_first);
+        return;
+    }
+    std::vector<float> depths = inputs.depth.texels;
+    const auto half = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+    std::nth_element(depths.begin(), half, depths.end());
+    place_second_camera(how, *half / 4, *half / 4, *half);
 }
 
-frame run_effect(vulkan::device& device, const recipe& chosen, const gbuffer& inputs,
+/// How the camera of a capture draws: of the second at the size of what it fills.
+transforms transforms_of(const capture& which, parameters& how, const gbuffer& inputs, bool second) {
+    if (!second)
+        return inputs.drawn.how;
+    // The same lens as the first camera's, without its guard band.
+    const unsigned width = which.size.width_of(inputs.depth.width),
+                   height = which.size.height_of(inputs.depth.height);
+    const float guard_across =
+        1 + 2 * static_cast<float>(inputs.guard) / static_cast<float>(inputs.depth.width);
+    const float guard_down =
+        1 + 2 * static_cast<float>(inputs.guard) / static_cast<float>(inputs.depth.height);
+    glm::mat4 projection = inputs.drawn.how.clip_from_view;
+    for (int column = 0; column < 4; ++column) {
+        projection[column][0] *= guard_across;
+        projection[column][1] *= guard_down;
+    }
+    how.second_view = view_of(projection, width, height);
+    glm::mat4 turn;
+    std::copy_n(how.second_from_first, 16, glm::value_ptr(turn));
+    return {turn * inputs.drawn.how.view_from_world, projection};
+}
+
+std::vector<std::vector<vulkan::pass_time>> draw_captures(vulkan::device& device, const effect_view& effect,
+                                                          vulkan::runner& runner, parameters& how,
+                                                          const gbuffer& inputs, unsigned repeats) {
+    const piece vertex[] = {{"capture.vert", vertex_glsl}}, fragment[] = {{"capture.frag", fragment_glsl}};
+    std::vector<std::vector<vulkan::pass_time>> runs(repeats);
+    for (std::size_t i = 0; i < effect.captures.size(); ++i) {
+        const capture& each = effect.captures[i];
+        const transforms pushed = transforms_of(each, how, inputs, i == 1);
+        vulkan::capturer capturer(
+            device, effect, i, runner,
+            {.vertex = vertex, .fragment = fragment, .push_constant_bytes = sizeof(transforms)});
+        for (auto& run : runs)
+            run.push_back({std::string(each.name), capturer.draw(*inputs.drawn.triangles, how,
+                                                                 std::as_bytes(std::span(&pushed, 1)))});
+    }
+    return runs;
+}
+
+}
+
+recipe supported(const vulkan::device& device, const recipe& chosen) {
+    const auto features = [](const recipe& of) { return std::make_unique<composition>(of)->view().features; };
+    const choice_list parts = complete(chosen.choices());
+    const bool captures =
+        std::ranges::any_of(parts, [](const choice& c) { return c.what->captures != nullptr; });
+    const bool named =
+        std::ranges::any_of(chosen.choices(), [](const choice& c) { return c.what->captures; });
+    if (!captures || named || device.features().cover(features(chosen)))
+        return chosen;
+    for (const part* carrier : all_parts) {
+        if (carrier->kind != role::layer_carrier)
+            continue;
+        const recipe with(std::string(chosen.text().view()) + "/" + std::string(carrier->name));
+        if (with && device.features().cover(features(with)))
+            return with;
+    }
+    return chosen; // whose features the runner names
+}
+
+frame run_effect(vulkan::device& device, const recipe& wanted, const gbuffer& inputs,
                  const frame_options& options) {
+    const recipe chosen = supported(device, wanted);
     parameters how = settle(chosen, options);
     const auto composed = std::make_unique<composition>(chosen);
     const effect_view effect = composed->view();
@@ -51,11 +150,28 @@ frame run_effect(vulkan::device& device, const recipe& chosen, const gbuffer& in
         effect.passes.back().dialect != dialect_kind::vulkan)
         throw std::runtime_error("a recipe that is run is of programs in the vulkan dialect");
     how.view = inputs.view;
-    vulkan::runner runner(device, effect, inputs.depth.width, inputs.depth.height);
+    if (effect.captures.size() > 1)
+        place_second(how, inputs, options);
+    vulkan::runner runner(device, effect, inputs.depth.width, inputs.depth.height,
+                          {.guard = inputs.guard, .constants = {}, .shaders = {}});
     upload_inputs(runner, effect, inputs);
+    const unsigned repeats = options.repeats > 1 ? options.repeats + 1 : 1;
     frame made{.visibility = image(inputs.depth.width, inputs.depth.height),
-               .passes = medians(runner.run(how, options.repeats > 1 ? options.repeats + 1 : 1))};
+               .bent = {},
+               .cone = {},
+               .captures = medians(draw_captures(device, effect, runner, how, inputs, repeats)),
+               .passes = medians(runner.run(how, repeats))};
     made.visibility.texels = runner.download("visibility");
+    for (const resource& r : effect.resources)
+        if (r.name == "bent_cone") {
+            made.bent = image(inputs.depth.width, inputs.depth.height, 3);
+            made.cone = image(inputs.depth.width, inputs.depth.height);
+            const std::vector<float> four = runner.download(r.name);
+            for (std::size_t i = 0; i < made.cone->texels.size(); ++i) {
+                std::copy_n(&four[4 * i], 3, &made.bent->texels[3 * i]);
+                made.cone->texels[i] = four[4 * i + 3];
+            }
+        }
     return made;
 }
 

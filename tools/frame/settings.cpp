@@ -52,6 +52,7 @@ parameters settle(const recipe& chosen, const frame_options& options) {
     const choice_list parts = complete(chosen.choices());
     parameters settled = default_parameters({parts.data(), parts.size()});
     settled.radius = options.radius;
+    settled.frame = options.frame;
     for (const auto& [name, value] : options.settings) {
         const setting* found = find_setting(parts, name);
         if (!found)

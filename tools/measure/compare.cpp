@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace crease::tools {
 namespace {
@@ -111,6 +112,26 @@ comparison compare(const image& test, const image& reference, const comparison_s
     if (settings.difference)
         *settings.difference = std::move(difference);
     return result;
+}
+
+double mean_angle(const image& test, const image& reference) {
+    if (!test.same_size(reference) || test.channels != 3 || reference.channels != 3)
+        throw comparison_error("directions are compared of two images of one size and 3 channels");
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < test.texels.size(); i += 3) {
+        double dot = 0, squared = 0, other = 0;
+        for (std::size_t c = i; c < i + 3; ++c) {
+            dot += double{test.texels[c]} * double{reference.texels[c]};
+            squared += double{test.texels[c]} * double{test.texels[c]};
+            other += double{reference.texels[c]} * double{reference.texels[c]};
+        }
+        if (!(squared > 0 && other > 0))
+            continue;
+        sum += std::acos(std::clamp(dot / std::sqrt(squared * other), -1.0, 1.0));
+        ++count;
+    }
+    return sum / static_cast<double>(count) * 180 / std::numbers::pi;
 }
 
 }

@@ -38,4 +38,9 @@ struct comparison_settings {
 /// @throws comparison_error
 comparison compare(const image& test, const image& reference, const comparison_settings& settings = {});
 
+/// Degrees between the directions of two images of 3 channels: the mean over the pixels where neither is 0;
+/// NaN where there is none.
+/// @throws comparison_error
+double mean_angle(const image& test, const image& reference);
+
 }

@@ -75,7 +75,8 @@ public:
           half_height_(std::tan(glm::radians(double{from.vfov_deg}) / 2)),
           half_width_(half_height_ * settings.width / settings.height) {}
 
-    void trace(unsigned x, unsigned y) const {
+    /// Depth, normal and, where it may occlude, what lies around.
+    void trace(unsigned x, unsigned y, bool gathers) const {
         const glm::dvec3 through(half_width_ * (2 * (x + 0.5) / settings_.width - 1),
                                  half_height_ * (1 - 2 * (y + 0.5) / settings_.height), -1);
         // Left at length 1 along the view, so that the ray's parameter is the view depth.
@@ -87,7 +88,7 @@ public:
         const glm::vec3 normal = glm::normalize(glm::mat3(view_) * hit->normal);
         for (unsigned c = 0; c < 3; ++c)
             result_.normal.at(x, y, c) = normal[static_cast<int>(c)];
-        if (settings_.radius > 0)
+        if (gathers && settings_.radius > 0)
             gather(x, y, *hit);
     }
 
@@ -96,19 +97,42 @@ private:
         const lattice points(settings_.rays, x, y, settings_.seed);
         const glm::mat3 frame = frame_around(at.normal);
         const glm::vec3 origin = at.position + at.offset * at.normal;
-        double hard = 0, linear = 0, quad = 0;
+        double hard = 0, linear = 0, quad = 0, seen = 0;
+        glm::dvec3 open(0);
         for (unsigned i = 0; i < settings_.rays; ++i) {
-            const double d = scene_.distance(origin, frame * cosine_direction(points(i)), settings_.radius) /
-                             double{settings_.radius};
+            const glm::vec3 direction = frame * cosine_direction(points(i));
+            const float distance = scene_.distance(origin, direction, settings_.radius);
+            const double d = distance / double{settings_.radius};
+            open += glm::dvec3(direction) * std::min(d, 1.0);
             if (d > 1)
                 continue;
             hard += 1;
             linear += 1 - d;
             quad += 1 - d * d;
+            if (settings_.first_layer && is_seen(origin + distance * direction))
+                seen += 1 - d;
         }
+        if (open != glm::dvec3(0))
+            for (unsigned c = 0; c < 3; ++c)
+                result_.bent.at(x, y, c) =
+                    (glm::mat3(view_) * glm::vec3(glm::normalize(open)))[static_cast<int>(c)];
+        if (settings_.first_layer)
+            result_.ao_first_layer.at(x, y) = static_cast<float>(1 - seen / settings_.rays);
         result_.ao_hard.at(x, y) = static_cast<float>(1 - hard / settings_.rays);
         result_.ao_linear.at(x, y) = static_cast<float>(1 - linear / settings_.rays);
         result_.ao_quad.at(x, y) = static_cast<float>(1 - quad / settings_.rays);
+    }
+
+    /// Whether no surface hides a point from the camera; what lies outside the picture counts as seen.
+    bool is_seen(const glm::vec3& point) const {
+        const glm::dvec3 at(view_ * glm::vec4(point, 1));
+        const double x = (at.x / -at.z / half_width_ + 1) / 2 * settings_.width,
+                     y = (1 - at.y / -at.z / half_height_) / 2 * settings_.height;
+        if (!(at.z < 0 && x >= 0 && y >= 0 && x < settings_.width && y < settings_.height))
+            return true;
+        // A surface that is hidden by less than this is only a neighbour's slope.
+        const double slack = 0.1 * settings_.radius;
+        return -at.z <= result_.depth.at(static_cast<unsigned>(x), static_cast<unsigned>(y)) + slack;
     }
 
     ray_scene scene_;
@@ -160,15 +184,27 @@ truth trace_truth(const mesh& scene, const camera& from, const truth_settings& s
     truth result;
     result.ao_hard = result.ao_linear = result.ao_quad = image(settings.width, settings.height, 1, 1);
     result.depth = image(settings.width, settings.height, 1, from.far);
-    result.normal = image(settings.width, settings.height, 3);
+    result.normal = result.bent = image(settings.width, settings.height, 3);
+    if (settings.first_layer)
+        result.ao_first_layer = result.ao_linear;
     const texel_tracer tracer(scene, from, settings, result);
-    const bool whole = for_each_row(settings, [&](unsigned y) {
-        for (unsigned x = 0; x < settings.width; ++x)
-            tracer.trace(x, y);
-    });
-    if (!whole)
+    const auto all_texels = [&](bool gathers) {
+        return for_each_row(settings, [&](unsigned y) {
+            for (unsigned x = 0; x < settings.width; ++x)
+                tracer.trace(x, y, gathers);
+        });
+    };
+    // What hides what follows from the depths of all texels.
+    if ((settings.first_layer && !all_texels(false)) || !all_texels(true))
         throw truth_cancelled("the truth was cancelled");
     return result;
+}
+
+image hidden_mask(const truth& traced) {
+    image mask(traced.ao_linear.width, traced.ao_linear.height);
+    for (std::size_t i = 0; i < mask.texels.size(); ++i)
+        mask.texels[i] = traced.ao_first_layer.texels[i] - traced.ao_linear.texels[i] > 0.15f ? 1.0f : 0.0f;
+    return mask;
 }
 
 }

@@ -23,6 +23,7 @@ struct truth_settings {
     unsigned width = 1280, height = 720; ///< texels, 1 to 16384
     float radius = 1;                    ///< world units, >= 0; 0 means that nothing occludes
     unsigned rays = 256;                 ///< for each texel, > 0
+    bool first_layer = false;            ///< whether to make ao_first_layer
     std::uint32_t seed = 1;              ///< changes the rays; with the same seed the images are the same
     unsigned threads = 0;                ///< 0: one for each core; the images do not depend on it
     std::function<bool(double)> progress = {}; ///< called now and then, on the calling thread, with the
@@ -35,8 +36,15 @@ struct truth {
     image ao_linear; ///< ... by 1 - d / radius
     image ao_quad;   ///< ... by 1 - (d / radius)^2
     image depth;     ///< positive linear view depth; the camera's far in the background
+    image bent; ///< 3 channels: the mean direction of the open rays, each weighed by its visibility as in
+                ///< ao_linear, in view space, unit; 0 in the background
+    image ao_first_layer; ///< as ao_linear, but what the camera cannot see behind a nearer surface occludes
+                          ///< nothing; only where the settings ask for it
     image normal; ///< 3 channels: unit geometric normal in view space, facing the camera; 0 in the background
 };
+
+/// 1 where geometry that the camera cannot see takes more than 0.15 of the visibility, else 0.
+image hidden_mask(const truth& traced);
 
 /// Traces a ray through the centre of each texel, clipped to [near, far] as a rasteriser does, and from what
 /// it hits `rays` more, cosine-weighted around the geometric normal on the side of the camera. Visibility is

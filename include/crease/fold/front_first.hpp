@@ -10,13 +10,18 @@ inline constexpr glsl_file front_first_glsl{
 #include <crease/fold/front_first.glsl>
 };
 
-/// A test by which the front layer of a tap settles it: crease_front_settles.
+inline constexpr glsl_file front_dropped_glsl{
+    "fold/front_dropped.glsl",
+#include <crease/fold/front_dropped.glsl>
+};
+
+/// A test by which the front layer of a tap settles it: crease_front_settles and crease_may_occlude.
 CREASE_TRAIT(front_test, estimator,
              "the fold needs a test of the front surface, which the estimator does not have");
 
 struct front_first_part {
     using needs = traits<front_test>;
-    static constexpr const glsl_file* helpers[] = {&fold_groups_glsl};
+    static constexpr const glsl_file* files[] = {&fold_groups_glsl, &front_first_glsl};
     static constexpr number takes[] = {
         {"angle", 0, 1, 1,
          "1: a front surface below the horizon settles a tap, the angle skip; 0: it does not"}};
@@ -29,11 +34,11 @@ struct front_first_part {
         .name = "front_first",
         .summary = "looks at the front surface first, and behind it only where that may matter",
         .source = "stochastic-depth-ao 2020, 6.3",
-        .glsl = &front_first_glsl,
-        .helpers = helpers,
+        .glsl = &front_dropped_glsl,
         .numbers = takes,
         .settings = reads,
         .needs = needs::list,
+        .folds = files,
     };
 };
 

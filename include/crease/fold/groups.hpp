@@ -5,7 +5,7 @@
 
 namespace crease {
 
-/// The layer of a tap that occludes the most, of layers that a depth source holds in groups of four.
+/// The layer that occludes the most, of layers that a depth source holds in groups of four.
 inline constexpr glsl_file fold_groups_glsl{
     "fold/groups.glsl",
 #include <crease/fold/groups.glsl>

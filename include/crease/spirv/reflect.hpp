@@ -68,6 +68,7 @@ public:
         std::ranges::sort(found.bindings, {}, [](const auto& b) { return std::tuple(b.set, b.slot); });
         std::ranges::stable_sort(found.constants, {}, &specialization_constant::id);
         std::ranges::sort(found.colours, {}, &colour_output::location);
+        std::ranges::sort(found.attributes);
         return found;
     }
 
@@ -103,6 +104,8 @@ private:
         const auto location = module_.decoration(variable.result, spv::DecorationLocation);
         if (storage == spv::StorageClassOutput && location && found.model == execution_model::fragment)
             found.colours.push_back({*location, module_.name_of(variable.result)});
+        if (storage == spv::StorageClassInput && location && found.model == execution_model::vertex)
+            found.attributes.push_back(*location);
         if (const auto slot = module_.decoration(variable.result, spv::DecorationBinding))
             found.bindings.push_back(bound(variable, storage, *slot));
     }

@@ -73,6 +73,7 @@ struct reflection {
     std::vector<specialization_constant> constants; ///< sorted by id
     std::array<workgroup_axis, 3> workgroup;        ///< x, y, z of a compute shader
     std::vector<colour_output> colours;             ///< of a fragment shader, sorted by location
+    std::vector<std::uint32_t> attributes;          ///< locations of a vertex shader's inputs, sorted
 };
 
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <crease/depth/layers.hpp>
+#include <crease/fold/all_layers.hpp>
 
 namespace crease {
 
@@ -20,7 +21,7 @@ CREASE_TRAIT(any_eye, estimator,
              "the second view needs an estimator that works from any eye, which this one does not");
 
 struct second_view_part {
-    using needs = traits<layers_of_two_views, any_eye>;
+    using needs = traits<layers_of_two_views, any_eye, any_view>;
     static constexpr number takes[] = {
         {"divisor", 1, 4, 2, "how much smaller the sides of the second camera's picture are"}};
     static constexpr resource captured[] = {{.name = "second_captured_layers"}};

@@ -117,7 +117,7 @@ private:
                       .layout = descriptors_.layout(),
                       .target = target_.get(),
                       .constants = &constants,
-                      .vertex_input = detail::mesh_input(),
+                      .vertex_input = detail::mesh_input(vertex),
                       .nearer = clear_depth_ == 0 ? VK_COMPARE_OP_GREATER : VK_COMPARE_OP_LESS});
     }
 };

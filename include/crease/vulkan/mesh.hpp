@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <crease/spirv/reflect.hpp>
 #include <crease/vulkan/buffer.hpp>
 #include <crease/vulkan/pipeline.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace crease::vulkan {
 
@@ -52,13 +54,14 @@ inline constexpr VkVertexInputBindingDescription mesh_vertices{0, mesh::numbers_
 inline constexpr VkVertexInputAttributeDescription mesh_attributes[] = {
     {0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0}, {1, 0, VK_FORMAT_R32G32B32_SFLOAT, 3 * sizeof(float)}};
 
-/// How a graphics pipeline reads a mesh.
-inline VkPipelineVertexInputStateCreateInfo mesh_input() {
+/// How a graphics pipeline reads a mesh: the position, and the normal where the vertex shader takes it.
+inline VkPipelineVertexInputStateCreateInfo mesh_input(std::span<const std::uint32_t> vertex_shader) {
+    const std::vector<std::uint32_t> taken = spirv::reflect(vertex_shader).attributes;
     auto input = blank<VkPipelineVertexInputStateCreateInfo>(
         VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO);
     input.vertexBindingDescriptionCount = 1;
     input.pVertexBindingDescriptions = &mesh_vertices;
-    input.vertexAttributeDescriptionCount = 2;
+    input.vertexAttributeDescriptionCount = std::ranges::count(taken, 1u) > 0 ? 2 : 1;
     input.pVertexAttributeDescriptions = mesh_attributes;
     return input;
 }

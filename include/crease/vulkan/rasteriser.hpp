@@ -92,7 +92,7 @@ private:
                                                     .fragment = fragment,
                                                     .layout = layout_,
                                                     .target = target_.get(),
-                                                    .vertex_input = detail::mesh_input(),
+                                                    .vertex_input = detail::mesh_input(vertex),
                                                     .nearer = options.reversed_depth ? VK_COMPARE_OP_GREATER
                                                                                      : VK_COMPARE_OP_LESS};
         pipeline_ = detail::make_graphics_pipeline(device_, graphics);

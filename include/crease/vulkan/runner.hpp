@@ -158,20 +158,26 @@ private:
         return {size.width_of(width_, guard_), size.height_of(height_, guard_)};
     }
 
+    static constexpr VkImageUsageFlags usage_of(access how) {
+        return how == access::sample       ? VK_IMAGE_USAGE_SAMPLED_BIT
+               : how == access::attachment ? VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT
+                                           : VK_IMAGE_USAGE_STORAGE_BIT;
+    }
+
     VkImageUsageFlags usage_of(std::size_t i) const {
         const bool multisampled = effect_.resources[i].samples > 1;
         VkImageUsageFlags usage =
             multisampled ? 0u : VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
         for (const capture& each : effect_.captures)
-            if (each.bindings.back().resource == i)
-                usage |= each.to_attachment() ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
-                                              : VK_IMAGE_USAGE_STORAGE_BIT;
+            for (const binding& b : each.bindings)
+                if (b.resource == i)
+                    usage |= b.how == access::attachment
+                                 ? VkImageUsageFlags{VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT}
+                                 : usage_of(b.how);
         for (const pass& each : effect_.passes)
             for (const binding& b : each.bindings)
                 if (b.resource == i)
-                    usage |= b.how == access::sample       ? VK_IMAGE_USAGE_SAMPLED_BIT
-                             : b.how == access::attachment ? VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT
-                                                           : VK_IMAGE_USAGE_STORAGE_BIT;
+                    usage |= usage_of(b.how);
         return usage;
     }
 

@@ -2,15 +2,23 @@
 R"glsl("
 #endif
 // SPDX-License-Identifier: MIT
-// Each tap looks at all its layers.
+// Each tap looks at all its layers: stochastic-depth-ao 6.2, Algorithms 7, 8 and 9.
 
-crease_contribution crease_fold_groups(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
-                                       crease_contribution most, bool more);
+int crease_group_count();
+vec4 crease_fetch_group(vec2 texel, int group);
+crease_contribution crease_fold_group(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                      crease_contribution most, vec4 depths);
 
 crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap) {
+    vec4 depths = crease_fetch_group(tap.texel, 0);
     crease_contribution most;
     most.occlusion = -1.0; // less than the first layer's
-    return crease_fold_groups(estimate, receiver, tap, most, true);
+    most = crease_fold_group(estimate, receiver, tap, most, depths);
+    for (int group = 1; group < crease_group_count() && depths.w < crease_background; ++group) {
+        depths = crease_fetch_group(tap.texel, group);
+        most = crease_fold_group(estimate, receiver, tap, most, depths);
+    }
+    return most;
 }
 #ifdef __cplusplus
 ")glsl"
