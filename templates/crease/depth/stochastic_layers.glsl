@@ -2,14 +2,23 @@
 R"glsl("
 #endif
 // SPDX-License-Identifier: MIT
-// What the samples of a texel kept, each depth once, in groups of four. What is not there is crease_background and
-// comes last.
+// What the samples of a texel kept, each depth once, in groups of four; crease_background after the last.
 
 int crease_group_count() { return (crease_stochastic_layers_count + 3) / 4; }
 
+float crease_stochastic_layers_fetch(vec2 texel, int layer) {
+    if (layer >= crease_stochastic_layers_count)
+        return crease_background;
+    vec2 at = (texel + crease_view.guard) * crease_view.texel_size;
+    int index = crease_view_index * crease_stochastic_layers_count + layer;
+    return textureLod(crease_packed_layers, vec3(at, float(index)), 0.0).x;
+}
+
+// Fetches that do not wait for each other.
 vec4 crease_fetch_group(vec2 texel, int group) {
-    ivec3 at = ivec3(ivec2(texel + crease_view.guard), crease_view_index * crease_group_count() + group);
-    return texelFetch(crease_packed_layers, at, 0);
+    return vec4(crease_stochastic_layers_fetch(texel, 4 * group), crease_stochastic_layers_fetch(texel, 4 * group + 1),
+                crease_stochastic_layers_fetch(texel, 4 * group + 2),
+                crease_stochastic_layers_fetch(texel, 4 * group + 3));
 }
 #ifdef __cplusplus
 ")glsl"

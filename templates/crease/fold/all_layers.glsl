@@ -6,17 +6,21 @@ R"glsl("
 
 int crease_group_count();
 vec4 crease_fetch_group(vec2 texel, int group);
-crease_contribution crease_fold_group(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
-                                      crease_contribution most, vec4 depths);
+vec3 crease_view_position(vec2 texel, float depth);
+crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position);
+crease_contribution crease_fold_layer(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                      crease_contribution most, float depth);
+crease_contribution crease_fold_others(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                       crease_contribution most, vec4 depths);
 
 crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap) {
     vec4 depths = crease_fetch_group(tap.texel, 0);
-    crease_contribution most;
-    most.occlusion = -1.0; // less than the first layer's
-    most = crease_fold_group(estimate, receiver, tap, most, depths);
+    crease_contribution most = crease_weigh(estimate, receiver, tap, crease_view_position(tap.texel, depths.x));
+    most = crease_fold_others(estimate, receiver, tap, most, depths);
     for (int group = 1; group < crease_group_count() && depths.w < crease_background; ++group) {
         depths = crease_fetch_group(tap.texel, group);
-        most = crease_fold_group(estimate, receiver, tap, most, depths);
+        most = crease_fold_layer(estimate, receiver, tap, most, depths.x);
+        most = crease_fold_others(estimate, receiver, tap, most, depths);
     }
     return most;
 }

@@ -11,8 +11,10 @@ bool crease_front_settles(crease_estimate estimate, crease_receiver receiver, cr
 bool crease_may_occlude(crease_receiver receiver, crease_tap tap, vec4 depths);
 int crease_group_count();
 vec4 crease_fetch_group(vec2 texel, int group);
-crease_contribution crease_fold_group(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
-                                      crease_contribution most, vec4 depths);
+crease_contribution crease_fold_layer(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                      crease_contribution most, float depth);
+crease_contribution crease_fold_others(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                       crease_contribution most, vec4 depths);
 
 crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap) {
     vec3 front = crease_view_position(tap.texel, crease_depth_at(tap.texel));
@@ -26,8 +28,11 @@ crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiv
     for (int group = 0; more; ++group) {
         vec4 depths = crease_fetch_group(tap.texel, group);
         more = depths.w < crease_background && group + 1 < crease_group_count();
-        for (bool look = crease_may_occlude(receiver, tap, depths); look; look = false)
-            most = crease_fold_group(estimate, receiver, tap, most, depths);
+        // A loop of one round, as a group of invocations leaves a loop where none of them needs it.
+        for (bool look = crease_may_occlude(receiver, tap, depths); look; look = false) {
+            most = crease_fold_layer(estimate, receiver, tap, most, depths.x);
+            most = crease_fold_others(estimate, receiver, tap, most, depths);
+        }
     }
     return most;
 }

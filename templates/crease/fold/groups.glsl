@@ -15,10 +15,9 @@ crease_contribution crease_fold_layer(crease_estimate estimate, crease_receiver 
     return most;
 }
 
-// Written out, as the group is in registers.
-crease_contribution crease_fold_group(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
-                                      crease_contribution most, vec4 depths) {
-    most = crease_fold_layer(estimate, receiver, tap, most, depths.x);
+// The layers of a group after its first; written out, as the group is in registers.
+crease_contribution crease_fold_others(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                       crease_contribution most, vec4 depths) {
     if (crease_stochastic_layers_count > 1)
         most = crease_fold_layer(estimate, receiver, tap, most, depths.y);
     if (crease_stochastic_layers_count > 2)
