@@ -152,6 +152,7 @@ private:
         auto info = detail::blank<VkSamplerCreateInfo>(VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO);
         info.magFilter = info.minFilter = VK_FILTER_NEAREST;
         info.addressModeU = info.addressModeV = info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+        info.maxLod = VK_LOD_CLAMP_NONE; // a range of 0 to 0 makes llvmpipe look for the level lane by lane
         sampler_ = detail::make<detail::owned_sampler>(device_.handle(), vkCreateSampler, info, "a sampler");
     }
 
