@@ -17,9 +17,28 @@ vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
 crease_estimate crease_estimate_begin(crease_receiver receiver);
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);
-crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap);
+crease_layers crease_fetch_layers(vec2 texel);
+crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                crease_layers layers);
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
 float crease_estimate_occlusion(crease_estimate estimate);
+
+const int crease_batch = 4; // taps whose layers are fetched before any is weighed, so that the waits overlap
+
+void crease_take(inout crease_estimate estimate, inout crease_pattern pattern, crease_receiver receiver, int first,
+                 int count) {
+    crease_tap taps[crease_batch];
+    crease_layers layers[crease_batch];
+    for (int i = 0; i < count; ++i) {
+        taps[i] = crease_pattern_tap(pattern, receiver, first + i);
+        layers[i] = crease_fetch_layers(taps[i].inside ? taps[i].texel : receiver.texel);
+    }
+    for (int i = 0; i < count; ++i) {
+        crease_contribution contribution = crease_fold(estimate, receiver, taps[i], layers[i]);
+        if (taps[i].inside)
+            crease_estimate_add(estimate, contribution);
+    }
+}
 
 crease_result crease_evaluate(ivec2 pixel) {
     crease_receiver receiver;
@@ -38,11 +57,10 @@ crease_result crease_evaluate(ivec2 pixel) {
     crease_estimate estimate = crease_estimate_begin(receiver);
     for (int direction = 0; direction < crease_direction_count(); ++direction) {
         crease_estimate_turn(estimate, crease_pattern_turn(pattern, receiver, direction));
-        for (int step = 0; step < crease_step_count(); ++step) {
-            crease_tap tap = crease_pattern_tap(pattern, receiver, step);
-            if (tap.inside)
-                crease_estimate_add(estimate, crease_fold(estimate, receiver, tap));
-        }
+        int rest = crease_step_count() % crease_batch, whole = crease_step_count() - rest;
+        for (int step = 0; step < whole; step += crease_batch)
+            crease_take(estimate, pattern, receiver, step, crease_batch);
+        crease_take(estimate, pattern, receiver, whole, rest);
     }
     float occlusion = crease_estimate_occlusion(estimate);
     // Strength and exponent: stochastic-depth-ao 8.1.

@@ -22,7 +22,21 @@ uniform crease_parameters {
     float crease_exponent;
     float crease_sharpness;
     uint crease_frame;
-};
+} crease_given;
+
+// Read once, as not every compiler takes the reading out of a loop.
+vec4 crease_view_from_texel = crease_given.crease_view_from_texel;
+vec2 crease_depth_unpack = crease_given.crease_depth_unpack;
+float crease_far_depth = crease_given.crease_far_depth;
+float crease_radius = crease_given.crease_radius;
+vec2 crease_resolution = crease_given.crease_resolution;
+vec2 crease_texel_size = crease_given.crease_texel_size;
+float crease_bias = crease_given.crease_bias;
+float crease_threshold = crease_given.crease_threshold;
+float crease_strength = crease_given.crease_strength;
+float crease_exponent = crease_given.crease_exponent;
+float crease_sharpness = crease_given.crease_sharpness;
+uint crease_frame = crease_given.crease_frame;
 // SPDX-License-Identifier: MIT
 // The point whose visibility is asked for.
 struct crease_receiver {
@@ -168,9 +182,10 @@ vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
     pattern.direction = vec2(turn.x * pattern.direction.x - turn.y * pattern.direction.y,
                              turn.y * pattern.direction.x + turn.x * pattern.direction.y);
     pattern.offset = fract(pattern.offset + 0.61803399); // another first step in each direction
-    pattern.stride = receiver.disk * pattern.direction / float(crease_directions_steps + 1);
+    pattern.stride = receiver.disk * (pattern.direction * (1.0 / float(crease_directions_steps + 1)));
     // One texel further, so that no tap falls on the receiver itself.
-    pattern.first = receiver.texel + pattern.stride * pattern.offset + normalize(pattern.stride);
+    pattern.first =
+        receiver.texel + pattern.stride * (pattern.offset + inversesqrt(dot(pattern.stride, pattern.stride)));
     return pattern.direction;
 }
 
@@ -189,12 +204,12 @@ int crease_direction_count();
 
 struct crease_estimate {
     float occlusion;   // summed over the directions
-    float horizon;     // of this direction: sine of its angle less the sine of the tangent's
+    float horizon;     // of this direction: sine of its angle
     float sin_tangent; // of this direction
     float cos_tangent;
     float steepness;   // 1 / length of the normal's part in the plane of this direction and the eye
     vec2 lean;         // slope of the tangent plane along the axes of the disk
-    float facing;      // cosine of the angle between the normal and the direction to the eye
+    float averted;     // 1 / cosine of the angle between the normal and the direction to the eye
     vec2 bias;         // cosine and sine of the bias
     float reach;       // 1 / square of the radius
 };
@@ -205,9 +220,9 @@ struct crease_contribution {
 };
 
 crease_estimate crease_estimate_begin(crease_receiver receiver) {
-    float facing = max(dot(receiver.normal, receiver.to_eye), 1e-3);
-    vec2 lean = -vec2(dot(receiver.normal, receiver.across), dot(receiver.normal, receiver.up)) / facing;
-    return crease_estimate(0.0, 0.0, 0.0, 0.0, 0.0, lean, facing, vec2(cos(crease_bias), sin(crease_bias)),
+    float averted = 1.0 / max(dot(receiver.normal, receiver.to_eye), 1e-3);
+    vec2 lean = -averted * vec2(dot(receiver.normal, receiver.across), dot(receiver.normal, receiver.up));
+    return crease_estimate(0.0, 0.0, 0.0, 0.0, 0.0, lean, averted, vec2(cos(crease_bias), sin(crease_bias)),
                            1.0 / (crease_radius * crease_radius));
 }
 
@@ -215,23 +230,25 @@ void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {
     float slope = dot(estimate.lean, direction);
     estimate.cos_tangent = inversesqrt(1.0 + slope * slope);
     estimate.sin_tangent = slope * estimate.cos_tangent;
-    estimate.steepness = estimate.cos_tangent / estimate.facing;
+    estimate.steepness = estimate.cos_tangent * estimate.averted;
     // The tangent's angle plus the bias, at most a right angle.
-    float sin_start = estimate.cos_tangent * estimate.bias.x < estimate.sin_tangent * estimate.bias.y
+    estimate.horizon = estimate.cos_tangent * estimate.bias.x < estimate.sin_tangent * estimate.bias.y
         ? 1.0
         : estimate.sin_tangent * estimate.bias.x + estimate.cos_tangent * estimate.bias.y;
-    estimate.horizon = sin_start - estimate.sin_tangent;
 }
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     vec3 to_tap = position - receiver.position;
     float squared = dot(to_tap, to_tap);
-    float cosine = dot(to_tap, receiver.normal) * inversesqrt(squared);
-    float sine = min(cosine * estimate.steepness, 1.0); // of the angle over the tangent plane
-    float rise = estimate.cos_tangent * sine + estimate.sin_tangent * (sqrt(max(1.0 - sine * sine, 0.0)) - 1.0);
+    float away = sqrt(squared);
+    float height = dot(to_tap, receiver.normal);
+    // The tap's parts across and along the tangent plane, turned by the tangent's angle.
+    float across = min(height * estimate.steepness, away);
+    float along = sqrt(max(squared - across * across, 0.0));
+    float sine = (estimate.cos_tangent * across + estimate.sin_tangent * along) / away;
     float falloff = 1.0 - squared * estimate.reach;
-    bool counts = rise > estimate.horizon && falloff > 0.0 && cosine > crease_threshold;
-    return counts ? crease_contribution(falloff * (rise - estimate.horizon), rise)
+    bool counts = sine > estimate.horizon && falloff > 0.0 && height > crease_threshold * away;
+    return counts ? crease_contribution(falloff * (sine - estimate.horizon), sine)
                   : crease_contribution(0.0, estimate.horizon);
 }
 
@@ -246,14 +263,13 @@ float crease_estimate_occlusion(crease_estimate estimate) {
 // SPDX-License-Identifier: MIT
 // The layers of a tap count as the one that occludes the most: stochastic-depth-ao 6.2, a-buffer-ssao III A.
 
-crease_layers crease_fetch_layers(vec2 texel);
 int crease_layer_count(crease_layers layers);
 float crease_layer_depth(crease_layers layers, int layer);
 vec3 crease_view_position(vec2 texel, float depth);
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position);
 
-crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap) {
-    crease_layers layers = crease_fetch_layers(tap.texel);
+crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                crease_layers layers) {
     crease_contribution most = crease_weigh(
         estimate, receiver, tap, crease_view_position(tap.texel, crease_layer_depth(layers, 0)));
     for (int layer = 1; layer < crease_layer_count(layers); ++layer) {
@@ -283,9 +299,28 @@ vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
 crease_estimate crease_estimate_begin(crease_receiver receiver);
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);
-crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap);
+crease_layers crease_fetch_layers(vec2 texel);
+crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                crease_layers layers);
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
 float crease_estimate_occlusion(crease_estimate estimate);
+
+const int crease_batch = 4; // taps whose layers are fetched before any is weighed, so that the waits overlap
+
+void crease_take(inout crease_estimate estimate, inout crease_pattern pattern, crease_receiver receiver, int first,
+                 int count) {
+    crease_tap taps[crease_batch];
+    crease_layers layers[crease_batch];
+    for (int i = 0; i < count; ++i) {
+        taps[i] = crease_pattern_tap(pattern, receiver, first + i);
+        layers[i] = crease_fetch_layers(taps[i].inside ? taps[i].texel : receiver.texel);
+    }
+    for (int i = 0; i < count; ++i) {
+        crease_contribution contribution = crease_fold(estimate, receiver, taps[i], layers[i]);
+        if (taps[i].inside)
+            crease_estimate_add(estimate, contribution);
+    }
+}
 
 crease_result crease_evaluate(ivec2 pixel) {
     crease_receiver receiver;
@@ -304,11 +339,10 @@ crease_result crease_evaluate(ivec2 pixel) {
     crease_estimate estimate = crease_estimate_begin(receiver);
     for (int direction = 0; direction < crease_direction_count(); ++direction) {
         crease_estimate_turn(estimate, crease_pattern_turn(pattern, receiver, direction));
-        for (int step = 0; step < crease_step_count(); ++step) {
-            crease_tap tap = crease_pattern_tap(pattern, receiver, step);
-            if (tap.inside)
-                crease_estimate_add(estimate, crease_fold(estimate, receiver, tap));
-        }
+        int rest = crease_step_count() % crease_batch, whole = crease_step_count() - rest;
+        for (int step = 0; step < whole; step += crease_batch)
+            crease_take(estimate, pattern, receiver, step, crease_batch);
+        crease_take(estimate, pattern, receiver, whole, rest);
     }
     float occlusion = crease_estimate_occlusion(estimate);
     // Strength and exponent: stochastic-depth-ao 8.1.

@@ -19,7 +19,21 @@ uniform crease_parameters {
     float crease_exponent;
     float crease_sharpness;
     uint crease_frame;
-};
+} crease_given;
+
+// Read once, as not every compiler takes the reading out of a loop.
+vec4 crease_view_from_texel = crease_given.crease_view_from_texel;
+vec2 crease_depth_unpack = crease_given.crease_depth_unpack;
+float crease_far_depth = crease_given.crease_far_depth;
+float crease_radius = crease_given.crease_radius;
+vec2 crease_resolution = crease_given.crease_resolution;
+vec2 crease_texel_size = crease_given.crease_texel_size;
+float crease_bias = crease_given.crease_bias;
+float crease_threshold = crease_given.crease_threshold;
+float crease_strength = crease_given.crease_strength;
+float crease_exponent = crease_given.crease_exponent;
+float crease_sharpness = crease_given.crease_sharpness;
+uint crease_frame = crease_given.crease_frame;
 // SPDX-License-Identifier: MIT
 // The point whose visibility is asked for.
 struct crease_receiver {
@@ -230,14 +244,13 @@ float crease_estimate_occlusion(crease_estimate estimate) { return estimate.occl
 // SPDX-License-Identifier: MIT
 // The layers of a tap count as the one that occludes the most: stochastic-depth-ao 6.2, a-buffer-ssao III A.
 
-crease_layers crease_fetch_layers(vec2 texel);
 int crease_layer_count(crease_layers layers);
 float crease_layer_depth(crease_layers layers, int layer);
 vec3 crease_view_position(vec2 texel, float depth);
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position);
 
-crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap) {
-    crease_layers layers = crease_fetch_layers(tap.texel);
+crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                crease_layers layers) {
     crease_contribution most = crease_weigh(
         estimate, receiver, tap, crease_view_position(tap.texel, crease_layer_depth(layers, 0)));
     for (int layer = 1; layer < crease_layer_count(layers); ++layer) {
@@ -267,9 +280,28 @@ vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
 crease_estimate crease_estimate_begin(crease_receiver receiver);
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);
-crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap);
+crease_layers crease_fetch_layers(vec2 texel);
+crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                crease_layers layers);
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
 float crease_estimate_occlusion(crease_estimate estimate);
+
+const int crease_batch = 4; // taps whose layers are fetched before any is weighed, so that the waits overlap
+
+void crease_take(inout crease_estimate estimate, inout crease_pattern pattern, crease_receiver receiver, int first,
+                 int count) {
+    crease_tap taps[crease_batch];
+    crease_layers layers[crease_batch];
+    for (int i = 0; i < count; ++i) {
+        taps[i] = crease_pattern_tap(pattern, receiver, first + i);
+        layers[i] = crease_fetch_layers(taps[i].inside ? taps[i].texel : receiver.texel);
+    }
+    for (int i = 0; i < count; ++i) {
+        crease_contribution contribution = crease_fold(estimate, receiver, taps[i], layers[i]);
+        if (taps[i].inside)
+            crease_estimate_add(estimate, contribution);
+    }
+}
 
 crease_result crease_evaluate(ivec2 pixel) {
     crease_receiver receiver;
@@ -288,11 +320,10 @@ crease_result crease_evaluate(ivec2 pixel) {
     crease_estimate estimate = crease_estimate_begin(receiver);
     for (int direction = 0; direction < crease_direction_count(); ++direction) {
         crease_estimate_turn(estimate, crease_pattern_turn(pattern, receiver, direction));
-        for (int step = 0; step < crease_step_count(); ++step) {
-            crease_tap tap = crease_pattern_tap(pattern, receiver, step);
-            if (tap.inside)
-                crease_estimate_add(estimate, crease_fold(estimate, receiver, tap));
-        }
+        int rest = crease_step_count() % crease_batch, whole = crease_step_count() - rest;
+        for (int step = 0; step < whole; step += crease_batch)
+            crease_take(estimate, pattern, receiver, step, crease_batch);
+        crease_take(estimate, pattern, receiver, whole, rest);
     }
     float occlusion = crease_estimate_occlusion(estimate);
     // Strength and exponent: stochastic-depth-ao 8.1.
