@@ -142,11 +142,10 @@ public:
                       << ";\n";
     }
 
-    /// Which camera the program works for; the text of a second view says it itself.
+    /// Which camera the program works for; one for both begins with the first and turns to the second itself.
     constexpr void write_view(int view) {
-        if (view >= 0)
-            out.interface << "#define crease_view crease_views[" << view
-                          << "]\nconst int crease_view_index = " << view << ";\n";
+        out.interface << (view < 0 ? "" : "const ") << "int crease_view_index = " << (view < 0 ? 0 : view)
+                      << ";\n";
     }
 
     constexpr void write_declarations() {
@@ -227,8 +226,6 @@ constexpr program write_evaluate(const plan& p, const planned_pass& pass) {
     program_writer to(p, !functions, functions ? places_of(stage) : places{});
 
     to.add_file(&parameters_glsl);
-    if (pass.view < 0) // all other files name the camera that it defines
-        to.add_file(p.chosen(role::second_view).what->glsl);
     to.add_file(&types_glsl);
     to.add_file(output.result);
     const bool is_main = pass.what == &main_step;

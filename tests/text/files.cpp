@@ -26,6 +26,7 @@ std::string read(const fs::path& path) {
 constexpr std::string_view prelude = R"(#version 450
 const int crease_divisor = 1;
 const int crease_input_divisor = 2;
+int crease_view_index = 0;
 #define crease_parameters_place std140, set = 0, binding = 0
 layout(set = 0, binding = 1) uniform usampler2D crease_input;
 )";
@@ -105,7 +106,8 @@ std::string structs_for(const std::string& text) {
     add("crease_bend", "output/bent_cone_result.glsl", "};");
     add("crease_receiver", "core/receiver.glsl", "};");
     add("crease_gathered", "output/visibility_only.glsl", "};");
-    add("crease_layers", "depth/single_layer.glsl", "};");
+    const bool grouped = text.find("layers.depths") != std::string::npos;
+    add("crease_layers", grouped ? "depth/stochastic_layers.glsl" : "depth/single_layer.glsl", "};");
     const bool in_space =
         text.find(".point") != std::string::npos || text.find("hemisphere") != std::string::npos;
     add("crease_tap", in_space ? "sampler/point_tap.glsl" : "sampler/screen_tap.glsl", "};");
@@ -133,20 +135,14 @@ TEST_CASE("each GLSL file alone") {
         CAPTURE(name);
         const std::string own = read(entry.path());
         CHECK(own.size() <= crease::glsl_file::longest);
-        const bool both_views = name.find("two_views") != std::string::npos;
         const std::string before = std::string(prelude) + constants() + resources_for(name);
-        const std::string view = both_views ? read(fs::path(CREASE_TEMPLATES) / "view/second_view.glsl")
-                                 : name == "view/second_view.glsl" ? ""
-                                                                   : "#define crease_view crease_views[0]\n"
-                                                                     "const int crease_view_index = 0;\n";
-        const std::string types = name == "view/second_view.glsl" ? "" : std::string(crease::types_glsl.text);
         const std::string text = structs_for(own);
         const crease::spirv::shader_stage stage = name.starts_with("capture/")
                                                       ? crease::spirv::shader_stage::fragment
                                                       : crease::spirv::shader_stage::compute;
-        const crease::piece pieces[] = {{"prelude", before},        crease::parameters_glsl, {"view", view},
-                                        {"types", types},           {"structs", text},       {name, own},
-                                        {"end", "void main() {}\n"}};
+        const crease::piece pieces[] = {{"prelude", before}, crease::parameters_glsl,
+                                        crease::types_glsl,  {"structs", text},
+                                        {name, own},         {"end", "void main() {}\n"}};
         CHECK_NOTHROW(crease::spirv::detail::parse(pieces, stage, crease::dialect_kind::vulkan, name));
         ++files;
     }
@@ -156,11 +152,12 @@ TEST_CASE("each GLSL file alone") {
 TEST_CASE("an error names the file and its line") {
     const std::string wrong =
         read(fs::path(CREASE_TEMPLATES) / "core/noise.glsl") + "float broken = nothing;\n";
-    const crease::piece pieces[] = {
-        {"interface", "#version 450\n#define crease_parameters_place std140, set = 0, binding = 0\n"},
-        crease::parameters_glsl,
-        {"core/noise.glsl", wrong},
-        {"end", "void main() {}\n"}};
+    const crease::piece pieces[] = {{"interface",
+                                     "#version 450\nconst int crease_view_index = 0;\n"
+                                     "#define crease_parameters_place std140, set = 0, binding = 0\n"},
+                                    crease::parameters_glsl,
+                                    {"core/noise.glsl", wrong},
+                                    {"end", "void main() {}\n"}};
     const long line = std::count(wrong.begin(), wrong.end(), '\n');
     CHECK_THROWS_WITH_AS(crease::spirv::compile(pieces, crease::spirv::shader_stage::compute),
                          doctest::Contains(("core/noise.glsl:" + std::to_string(line)).c_str()),

@@ -150,8 +150,7 @@ private:
         b.kind = uniform ? binding_kind::uniform_block : binding_kind::storage_block;
         if (uniform)
             b.writable = false;
-        if (b.name.empty())
-            b.name = module_.name_of(block.result);
+        b.name = module_.name_of(block.result); // by which a host knows it
         for (std::uint32_t i = 0; i + 2 < block.operands.size(); ++i) {
             const int member = static_cast<int>(i);
             const auto name = module_.member_names.find({block.result, i});

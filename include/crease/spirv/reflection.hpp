@@ -32,7 +32,7 @@ struct block_member {
 /// A descriptor binding.
 struct bound_resource {
     std::uint32_t set = 0, slot = 0;
-    std::string name; ///< of the variable, or of the block where the variable has none
+    std::string name; ///< of the variable; of a block its own, whatever the instance is called
     binding_kind kind = binding_kind::other;
     scalar_kind component = scalar_kind::none; ///< what an image's texels are read or written as
     format texels = format::none;              ///< of a storage image, where crease knows its format

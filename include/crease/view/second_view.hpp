@@ -6,11 +6,6 @@
 
 namespace crease {
 
-inline constexpr glsl_file second_view_glsl{
-    "view/second_view.glsl",
-#include <crease/view/second_view.glsl>
-};
-
 inline constexpr glsl_file two_views_glsl{
     "view/two_views.glsl",
 #include <crease/view/two_views.glsl>
@@ -30,7 +25,6 @@ struct second_view_part {
         .name = "second_view",
         .summary = "a second camera, for what the first sees at a grazing angle",
         .source = "stochastic-depth-ao 2020, 7.2, Algorithm 12",
-        .glsl = &second_view_glsl,
         .numbers = takes,
         .needs = needs::list,
         .intermediates = captured,

@@ -30,6 +30,7 @@ inline owned_sampler make_nearest_sampler(const device& on) {
     auto info = blank<VkSamplerCreateInfo>(VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO);
     info.magFilter = info.minFilter = VK_FILTER_NEAREST;
     info.addressModeU = info.addressModeV = info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    info.maxLod = VK_LOD_CLAMP_NONE; // a range of 0 to 0 makes llvmpipe look for the level lane by lane
     return make<owned_sampler>(on.handle(), vkCreateSampler, info, "a sampler");
 }
 

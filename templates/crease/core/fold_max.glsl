@@ -4,14 +4,13 @@ R"glsl("
 // SPDX-License-Identifier: MIT
 // The layers of a tap count as the one that occludes the most: stochastic-depth-ao 6.2, a-buffer-ssao III A.
 
-crease_layers crease_fetch_layers(vec2 texel);
 int crease_layer_count(crease_layers layers);
 float crease_layer_depth(crease_layers layers, int layer);
 vec3 crease_view_position(vec2 texel, float depth);
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position);
 
-crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap) {
-    crease_layers layers = crease_fetch_layers(tap.texel);
+crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                crease_layers layers) {
     crease_contribution most = crease_weigh(
         estimate, receiver, tap, crease_view_position(tap.texel, crease_layer_depth(layers, 0)));
     for (int layer = 1; layer < crease_layer_count(layers); ++layer) {

@@ -14,7 +14,9 @@ vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
 crease_estimate crease_estimate_begin(crease_receiver receiver);
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);
-crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap);
+crease_layers crease_fetch_layers(vec2 texel);
+crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                crease_layers layers);
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
 float crease_estimate_occlusion(crease_estimate estimate);
 crease_gathered crease_gathered_begin();
@@ -35,6 +37,25 @@ crease_receiver crease_receiver_at(ivec2 pixel, vec2 texel, vec3 position, vec3 
     return receiver;
 }
 
+const int crease_batch = 4; // taps whose layers are fetched before any is weighed, so that the waits overlap
+
+void crease_take(inout crease_estimate estimate, inout crease_gathered gathered, inout crease_pattern pattern,
+                 crease_receiver receiver, int first, int count) {
+    crease_tap taps[crease_batch];
+    crease_layers layers[crease_batch];
+    for (int i = 0; i < count; ++i) {
+        taps[i] = crease_pattern_tap(pattern, receiver, first + i);
+        layers[i] = crease_fetch_layers(taps[i].inside ? taps[i].texel : receiver.texel);
+    }
+    for (int i = 0; i < count; ++i) {
+        crease_contribution contribution = crease_fold(estimate, receiver, taps[i], layers[i]);
+        if (taps[i].inside) {
+            crease_estimate_add(estimate, contribution);
+            crease_gathered_tap(gathered, receiver, taps[i], contribution);
+        }
+    }
+}
+
 crease_gathered crease_gather(crease_receiver receiver) {
     crease_pattern pattern = crease_pattern_begin(receiver);
     crease_estimate estimate = crease_estimate_begin(receiver);
@@ -42,14 +63,10 @@ crease_gathered crease_gather(crease_receiver receiver) {
     for (int i = 0; i < crease_direction_count(); ++i) {
         vec2 direction = crease_pattern_turn(pattern, receiver, i);
         crease_estimate_turn(estimate, direction);
-        for (int step = 0; step < crease_step_count(); ++step) {
-            crease_tap tap = crease_pattern_tap(pattern, receiver, step);
-            if (tap.inside) {
-                crease_contribution contribution = crease_fold(estimate, receiver, tap);
-                crease_estimate_add(estimate, contribution);
-                crease_gathered_tap(gathered, receiver, tap, contribution);
-            }
-        }
+        int rest = crease_step_count() % crease_batch, whole = crease_step_count() - rest;
+        for (int step = 0; step < whole; step += crease_batch)
+            crease_take(estimate, gathered, pattern, receiver, step, crease_batch);
+        crease_take(estimate, gathered, pattern, receiver, whole, rest);
         crease_gathered_turn(gathered, receiver, estimate, direction);
     }
     gathered.occlusion = crease_estimate_occlusion(estimate);

@@ -23,7 +23,19 @@ layout(crease_parameters_place) uniform crease_parameters {
     uint crease_frame;
     float crease_opacity;
     float crease_front_reach;
-};
+} crease_given;
+
+// Read once, as not every compiler takes the reading out of a loop.
+crease_view_parameters crease_view = crease_given.crease_views[crease_view_index]; // of the camera at work
+float crease_radius = crease_given.crease_radius;
+float crease_bias = crease_given.crease_bias;
+float crease_threshold = crease_given.crease_threshold;
+float crease_strength = crease_given.crease_strength;
+float crease_exponent = crease_given.crease_exponent;
+float crease_sharpness = crease_given.crease_sharpness;
+uint crease_frame = crease_given.crease_frame;
+float crease_opacity = crease_given.crease_opacity;
+float crease_front_reach = crease_given.crease_front_reach;
 #ifdef __cplusplus
 ")glsl"
 #endif

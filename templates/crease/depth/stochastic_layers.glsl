@@ -20,6 +20,13 @@ vec4 crease_fetch_group(vec2 texel, int group) {
                 crease_stochastic_layers_fetch(texel, 4 * group + 2),
                 crease_stochastic_layers_fetch(texel, 4 * group + 3));
 }
+
+// The first group; the others are fetched where they are asked for.
+struct crease_layers {
+    vec4 depths;
+};
+
+crease_layers crease_fetch_layers(vec2 texel) { return crease_layers(crease_fetch_group(texel, 0)); }
 #ifdef __cplusplus
 ")glsl"
 #endif

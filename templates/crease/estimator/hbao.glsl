@@ -12,12 +12,12 @@ int crease_direction_count();
 
 struct crease_estimate {
     float occlusion;   // summed over the directions
-    float horizon;     // of this direction: sine of its angle less the sine of the tangent's
+    float horizon;     // of this direction: sine of its angle
     float sin_tangent; // of this direction
     float cos_tangent;
     float steepness;   // 1 / length of the normal's part in the plane of this direction and the eye
     vec2 lean;         // slope of the tangent plane along the axes of the disk
-    float facing;      // cosine of the angle between the normal and the direction to the eye
+    float averted;     // 1 / cosine of the angle between the normal and the direction to the eye
     vec2 bias;         // cosine and sine of the bias
     float reach;       // 1 / square of the radius
 };
@@ -28,9 +28,9 @@ struct crease_contribution {
 };
 
 crease_estimate crease_estimate_begin(crease_receiver receiver) {
-    float facing = max(dot(receiver.normal, receiver.to_eye), 1e-3);
-    vec2 lean = -vec2(dot(receiver.normal, receiver.across), dot(receiver.normal, receiver.up)) / facing;
-    return crease_estimate(0.0, 0.0, 0.0, 0.0, 0.0, lean, facing, vec2(cos(crease_bias), sin(crease_bias)),
+    float averted = 1.0 / max(dot(receiver.normal, receiver.to_eye), 1e-3);
+    vec2 lean = -averted * vec2(dot(receiver.normal, receiver.across), dot(receiver.normal, receiver.up));
+    return crease_estimate(0.0, 0.0, 0.0, 0.0, 0.0, lean, averted, vec2(cos(crease_bias), sin(crease_bias)),
                            1.0 / (crease_radius * crease_radius));
 }
 
@@ -38,28 +38,30 @@ void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {
     float slope = dot(estimate.lean, direction);
     estimate.cos_tangent = inversesqrt(1.0 + slope * slope);
     estimate.sin_tangent = slope * estimate.cos_tangent;
-    estimate.steepness = estimate.cos_tangent / estimate.facing;
+    estimate.steepness = estimate.cos_tangent * estimate.averted;
     // The tangent's angle plus the bias, at most a right angle.
-    float sin_start = estimate.cos_tangent * estimate.bias.x < estimate.sin_tangent * estimate.bias.y
+    estimate.horizon = estimate.cos_tangent * estimate.bias.x < estimate.sin_tangent * estimate.bias.y
         ? 1.0
         : estimate.sin_tangent * estimate.bias.x + estimate.cos_tangent * estimate.bias.y;
-    estimate.horizon = sin_start - estimate.sin_tangent;
 }
 
-// Sine of the angle of a tap, less that of the tangent's; `cosine`: between the normal and the way to the tap.
-float crease_hbao_rise(crease_estimate estimate, float cosine) {
-    float sine = min(cosine * estimate.steepness, 1.0); // of the angle over the tangent plane
-    return estimate.cos_tangent * sine + estimate.sin_tangent * (sqrt(max(1.0 - sine * sine, 0.0)) - 1.0);
+// Sine of the angle of a tap that is as far `away` and as high over the tangent plane.
+float crease_hbao_sine(crease_estimate estimate, float away, float height) {
+    // The tap's parts across and along the tangent plane, turned by the tangent's angle.
+    float across = min(height * estimate.steepness, away);
+    float along = sqrt(max(away * away - across * across, 0.0));
+    return (estimate.cos_tangent * across + estimate.sin_tangent * along) / away;
 }
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     vec3 to_tap = position - receiver.position;
     float squared = dot(to_tap, to_tap);
-    float cosine = dot(to_tap, receiver.normal) * inversesqrt(squared);
-    float rise = crease_hbao_rise(estimate, cosine);
+    float away = sqrt(squared);
+    float height = dot(to_tap, receiver.normal);
+    float sine = crease_hbao_sine(estimate, away, height);
     float falloff = 1.0 - squared * estimate.reach;
-    bool counts = rise > estimate.horizon && falloff > 0.0 && cosine > crease_threshold;
-    return counts ? crease_contribution(falloff * (rise - estimate.horizon), rise)
+    bool counts = sine > estimate.horizon && falloff > 0.0 && height > crease_threshold * away;
+    return counts ? crease_contribution(falloff * (sine - estimate.horizon), sine)
                   : crease_contribution(0.0, estimate.horizon);
 }
 

@@ -16,7 +16,8 @@ crease_contribution crease_fold_layer(crease_estimate estimate, crease_receiver 
 crease_contribution crease_fold_others(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
                                        crease_contribution most, vec4 depths);
 
-crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap) {
+crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                crease_layers layers) {
     vec3 front = crease_view_position(tap.texel, crease_depth_at(tap.texel));
     crease_contribution most = crease_weigh(estimate, receiver, tap, front);
     vec3 to_front = front - receiver.position;
@@ -24,15 +25,15 @@ crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiv
     bool near = dot(to_front, to_front) < reach * reach;
     bool settled =
         near || (crease_front_first_angle != 0 && crease_front_settles(estimate, receiver, tap, front));
-    bool more = !settled;
-    for (int group = 0; more; ++group) {
-        vec4 depths = crease_fetch_group(tap.texel, group);
-        more = depths.w < crease_background && group + 1 < crease_group_count();
-        // A loop of one round, as a group of invocations leaves a loop where none of them needs it.
-        for (bool look = crease_may_occlude(receiver, tap, depths); look; look = false) {
-            most = crease_fold_layer(estimate, receiver, tap, most, depths.x);
-            most = crease_fold_others(estimate, receiver, tap, most, depths);
-        }
+    // A loop also of one group, as invocations that run together leave it where none of them needs it.
+    vec4 depths = layers.depths;
+    bool look = !settled && (crease_group_count() > 1 || crease_may_occlude(receiver, tap, depths));
+    for (int group = 1; look; ++group) {
+        most = crease_fold_layer(estimate, receiver, tap, most, depths.x);
+        most = crease_fold_others(estimate, receiver, tap, most, depths);
+        look = group < crease_group_count() && depths.w < crease_background;
+        if (look)
+            depths = crease_fetch_group(tap.texel, group);
     }
     return most;
 }

@@ -31,9 +31,10 @@ vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
     pattern.direction = vec2(turn.x * pattern.direction.x - turn.y * pattern.direction.y,
                              turn.y * pattern.direction.x + turn.x * pattern.direction.y);
     pattern.offset = fract(pattern.offset + 0.61803399); // another first step in each direction
-    pattern.stride = receiver.disk * pattern.direction / float(crease_directions_steps + 1);
+    pattern.stride = receiver.disk * (pattern.direction * (1.0 / float(crease_directions_steps + 1)));
     // One texel further, so that no tap falls on the receiver itself.
-    pattern.first = receiver.texel + pattern.stride * pattern.offset + normalize(pattern.stride);
+    pattern.first =
+        receiver.texel + pattern.stride * (pattern.offset + inversesqrt(dot(pattern.stride, pattern.stride)));
     return pattern.direction;
 }
 

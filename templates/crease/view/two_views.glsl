@@ -15,8 +15,6 @@ crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver
 crease_result crease_open();
 
 crease_result crease_evaluate(ivec2 pixel) {
-    crease_view = crease_views[0];
-    crease_view_index = 0;
     vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
     float depth = crease_depth_at(texel);
     if (!(depth > 0.0 && depth < crease_background))
@@ -25,15 +23,16 @@ crease_result crease_evaluate(ivec2 pixel) {
     crease_receiver receiver = crease_receiver_at(pixel, texel, position, crease_normal_at(texel, position));
     crease_gathered gathered = crease_gather(receiver);
 
-    crease_view = crease_views[1];
+    crease_view = crease_given.crease_views[1];
     crease_view_index = 1;
-    position = (crease_second_from_first * vec4(position, 1.0)).xyz;
-    vec3 normal = mat3(crease_second_from_first) * receiver.normal;
+    mat4 second_from_first = crease_given.crease_second_from_first;
+    position = (second_from_first * vec4(position, 1.0)).xyz;
+    vec3 normal = mat3(second_from_first) * receiver.normal;
     if (position.z < 0.0) { // in front of the second camera
         crease_receiver second = crease_receiver_at(pixel, crease_texel_at(position), position, normal);
         crease_gathered other = crease_gather(second);
         if (other.occlusion > gathered.occlusion)
-            gathered = crease_gathered_turned_back(other, mat3(crease_second_from_first));
+            gathered = crease_gathered_turned_back(other, mat3(second_from_first));
     }
     return crease_conclude(gathered, receiver);
 }

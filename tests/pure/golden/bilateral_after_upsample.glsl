@@ -4,7 +4,6 @@ layout(constant_id = 2) const int crease_bilateral_radius = 4;
 const int crease_bilateral_axis = 0;
 const int crease_divisor = 1;
 const int crease_input_divisor = 1;
-#define crease_view crease_views[0]
 const int crease_view_index = 0;
 #define crease_decode crease_decode_visibility_depth
 #define crease_write(pixel, result) imageStore(crease_output, pixel, crease_encode_visibility_depth(result));
@@ -33,7 +32,19 @@ layout(crease_parameters_place) uniform crease_parameters {
     uint crease_frame;
     float crease_opacity;
     float crease_front_reach;
-};
+} crease_given;
+
+// Read once, as not every compiler takes the reading out of a loop.
+crease_view_parameters crease_view = crease_given.crease_views[crease_view_index]; // of the camera at work
+float crease_radius = crease_given.crease_radius;
+float crease_bias = crease_given.crease_bias;
+float crease_threshold = crease_given.crease_threshold;
+float crease_strength = crease_given.crease_strength;
+float crease_exponent = crease_given.crease_exponent;
+float crease_sharpness = crease_given.crease_sharpness;
+uint crease_frame = crease_given.crease_frame;
+float crease_opacity = crease_given.crease_opacity;
+float crease_front_reach = crease_given.crease_front_reach;
 // SPDX-License-Identifier: MIT
 // The depth of what is not there: further than any radius, and finite, so that its square is too.
 const float crease_background = 1e15;
@@ -97,37 +108,39 @@ float crease_bilateral_slope(float own, float other, float tightness) {
 
 crease_result crease_evaluate(ivec2 pixel) {
     vec2 scale = 1.0 / vec2(textureSize(crease_input, 0));
-    vec2 last = vec2(crease_size(crease_divisor));
     vec2 axis = vec2(crease_bilateral_axis == 0, crease_bilateral_axis == 1);
-    vec2 centre = vec2(pixel) + 0.5;
-    crease_result own = crease_decode(textureLod(crease_input, centre * scale, 0.0));
-    if (!(own.depth < 0.99 * crease_background)) // the encoding rounds it
-        return own;
+    vec2 centre = (vec2(pixel) + 0.5) * scale, step = axis * scale;
+    // All are fetched before any is weighed, so that the waits overlap.
+    uvec4 texels_before[crease_bilateral_radius], texels_after[crease_bilateral_radius];
+    crease_result own = crease_decode(textureLod(crease_input, centre, 0.0));
+    for (int i = 0; i < crease_bilateral_radius; ++i) {
+        texels_before[i] = textureLod(crease_input, centre - step * float(i + 1), 0.0);
+        texels_after[i] = textureLod(crease_input, centre + step * float(i + 1), 0.0);
+    }
     float tightness = crease_sharpness / max(crease_radius, 1e-20);
+    float rise_before = crease_decode(texels_before[0]).depth - own.depth;
+    float rise_after = crease_decode(texels_after[0]).depth - own.depth;
+    float slope_before = crease_bilateral_slope(rise_before, rise_after, tightness);
+    float slope_after = crease_bilateral_slope(rise_after, rise_before, tightness);
+    float room_before = dot(vec2(pixel), axis);
+    float room_after = dot(vec2(crease_size(crease_divisor) - 1), axis) - room_before;
     const float spread = 2.0 / float(crease_bilateral_radius * crease_bilateral_radius);
     crease_result sum = own;
     float weights = 1.0;
-    float slope_before = 0.0, slope_after = 0.0;
-    for (int i = 1; i <= crease_bilateral_radius; ++i) {
-        float away = float(i);
-        vec2 at_before = centre - axis * away, at_after = centre + axis * away;
-        crease_result before = crease_decode(textureLod(crease_input, at_before * scale, 0.0));
-        crease_result after = crease_decode(textureLod(crease_input, at_after * scale, 0.0));
-        float apart_before = before.depth - own.depth, apart_after = after.depth - own.depth;
-        if (i == 1) {
-            slope_before = crease_bilateral_slope(apart_before, apart_after, tightness);
-            slope_after = crease_bilateral_slope(apart_after, apart_before, tightness);
-        }
-        apart_before = (apart_before - slope_before * away) * tightness;
-        apart_after = (apart_after - slope_after * away) * tightness;
+    for (int i = 0; i < crease_bilateral_radius; ++i) {
+        float away = float(i + 1);
+        crease_result before = crease_decode(texels_before[i]), after = crease_decode(texels_after[i]);
+        float apart_before = (before.depth - own.depth - slope_before * away) * tightness;
+        float apart_after = (after.depth - own.depth - slope_after * away) * tightness;
         float weight_before = exp2(-spread * away * away - apart_before * apart_before);
         float weight_after = exp2(-spread * away * away - apart_after * apart_after);
-        weight_before = dot(at_before, axis) > 0.0 ? weight_before : 0.0;
-        weight_after = dot(last - at_after, axis) > 0.0 ? weight_after : 0.0;
-        sum = crease_sum(sum, crease_weighted(before, weight_before));
-        sum = crease_sum(sum, crease_weighted(after, weight_after));
+        weight_before = room_before < away ? 0.0 : weight_before;
+        weight_after = room_after < away ? 0.0 : weight_after;
+        sum = crease_sum(sum, crease_sum(crease_weighted(before, weight_before), crease_weighted(after, weight_after)));
         weights += weight_before + weight_after;
     }
+    if (!(own.depth < 0.99 * crease_background)) // the encoding rounds it
+        return own;
     return crease_mean(sum, weights, own.depth);
 }
 // SPDX-License-Identifier: MIT

@@ -3,7 +3,6 @@ layout(local_size_x = 16, local_size_y = 16, local_size_x_id = 0, local_size_y_i
 layout(constant_id = 2) const int crease_directions_count = 8;
 layout(constant_id = 3) const int crease_directions_steps = 4;
 const int crease_divisor = 1;
-#define crease_view crease_views[0]
 const int crease_view_index = 0;
 #define crease_write(pixel, result) imageStore(crease_output, pixel, crease_encode_visibility(result));
 layout(set = 0, binding = 1) uniform sampler2D crease_depth;
@@ -32,7 +31,19 @@ layout(crease_parameters_place) uniform crease_parameters {
     uint crease_frame;
     float crease_opacity;
     float crease_front_reach;
-};
+} crease_given;
+
+// Read once, as not every compiler takes the reading out of a loop.
+crease_view_parameters crease_view = crease_given.crease_views[crease_view_index]; // of the camera at work
+float crease_radius = crease_given.crease_radius;
+float crease_bias = crease_given.crease_bias;
+float crease_threshold = crease_given.crease_threshold;
+float crease_strength = crease_given.crease_strength;
+float crease_exponent = crease_given.crease_exponent;
+float crease_sharpness = crease_given.crease_sharpness;
+uint crease_frame = crease_given.crease_frame;
+float crease_opacity = crease_given.crease_opacity;
+float crease_front_reach = crease_given.crease_front_reach;
 // SPDX-License-Identifier: MIT
 // The depth of what is not there: further than any radius, and finite, so that its square is too.
 const float crease_background = 1e15;
@@ -193,9 +204,10 @@ vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
     pattern.direction = vec2(turn.x * pattern.direction.x - turn.y * pattern.direction.y,
                              turn.y * pattern.direction.x + turn.x * pattern.direction.y);
     pattern.offset = fract(pattern.offset + 0.61803399); // another first step in each direction
-    pattern.stride = receiver.disk * pattern.direction / float(crease_directions_steps + 1);
+    pattern.stride = receiver.disk * (pattern.direction * (1.0 / float(crease_directions_steps + 1)));
     // One texel further, so that no tap falls on the receiver itself.
-    pattern.first = receiver.texel + pattern.stride * pattern.offset + normalize(pattern.stride);
+    pattern.first =
+        receiver.texel + pattern.stride * (pattern.offset + inversesqrt(dot(pattern.stride, pattern.stride)));
     return pattern.direction;
 }
 
@@ -214,12 +226,12 @@ int crease_direction_count();
 
 struct crease_estimate {
     float occlusion;   // summed over the directions
-    float horizon;     // of this direction: sine of its angle less the sine of the tangent's
+    float horizon;     // of this direction: sine of its angle
     float sin_tangent; // of this direction
     float cos_tangent;
     float steepness;   // 1 / length of the normal's part in the plane of this direction and the eye
     vec2 lean;         // slope of the tangent plane along the axes of the disk
-    float facing;      // cosine of the angle between the normal and the direction to the eye
+    float averted;     // 1 / cosine of the angle between the normal and the direction to the eye
     vec2 bias;         // cosine and sine of the bias
     float reach;       // 1 / square of the radius
 };
@@ -230,9 +242,9 @@ struct crease_contribution {
 };
 
 crease_estimate crease_estimate_begin(crease_receiver receiver) {
-    float facing = max(dot(receiver.normal, receiver.to_eye), 1e-3);
-    vec2 lean = -vec2(dot(receiver.normal, receiver.across), dot(receiver.normal, receiver.up)) / facing;
-    return crease_estimate(0.0, 0.0, 0.0, 0.0, 0.0, lean, facing, vec2(cos(crease_bias), sin(crease_bias)),
+    float averted = 1.0 / max(dot(receiver.normal, receiver.to_eye), 1e-3);
+    vec2 lean = -averted * vec2(dot(receiver.normal, receiver.across), dot(receiver.normal, receiver.up));
+    return crease_estimate(0.0, 0.0, 0.0, 0.0, 0.0, lean, averted, vec2(cos(crease_bias), sin(crease_bias)),
                            1.0 / (crease_radius * crease_radius));
 }
 
@@ -240,28 +252,30 @@ void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {
     float slope = dot(estimate.lean, direction);
     estimate.cos_tangent = inversesqrt(1.0 + slope * slope);
     estimate.sin_tangent = slope * estimate.cos_tangent;
-    estimate.steepness = estimate.cos_tangent / estimate.facing;
+    estimate.steepness = estimate.cos_tangent * estimate.averted;
     // The tangent's angle plus the bias, at most a right angle.
-    float sin_start = estimate.cos_tangent * estimate.bias.x < estimate.sin_tangent * estimate.bias.y
+    estimate.horizon = estimate.cos_tangent * estimate.bias.x < estimate.sin_tangent * estimate.bias.y
         ? 1.0
         : estimate.sin_tangent * estimate.bias.x + estimate.cos_tangent * estimate.bias.y;
-    estimate.horizon = sin_start - estimate.sin_tangent;
 }
 
-// Sine of the angle of a tap, less that of the tangent's; `cosine`: between the normal and the way to the tap.
-float crease_hbao_rise(crease_estimate estimate, float cosine) {
-    float sine = min(cosine * estimate.steepness, 1.0); // of the angle over the tangent plane
-    return estimate.cos_tangent * sine + estimate.sin_tangent * (sqrt(max(1.0 - sine * sine, 0.0)) - 1.0);
+// Sine of the angle of a tap that is as far `away` and as high over the tangent plane.
+float crease_hbao_sine(crease_estimate estimate, float away, float height) {
+    // The tap's parts across and along the tangent plane, turned by the tangent's angle.
+    float across = min(height * estimate.steepness, away);
+    float along = sqrt(max(away * away - across * across, 0.0));
+    return (estimate.cos_tangent * across + estimate.sin_tangent * along) / away;
 }
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     vec3 to_tap = position - receiver.position;
     float squared = dot(to_tap, to_tap);
-    float cosine = dot(to_tap, receiver.normal) * inversesqrt(squared);
-    float rise = crease_hbao_rise(estimate, cosine);
+    float away = sqrt(squared);
+    float height = dot(to_tap, receiver.normal);
+    float sine = crease_hbao_sine(estimate, away, height);
     float falloff = 1.0 - squared * estimate.reach;
-    bool counts = rise > estimate.horizon && falloff > 0.0 && cosine > crease_threshold;
-    return counts ? crease_contribution(falloff * (rise - estimate.horizon), rise)
+    bool counts = sine > estimate.horizon && falloff > 0.0 && height > crease_threshold * away;
+    return counts ? crease_contribution(falloff * (sine - estimate.horizon), sine)
                   : crease_contribution(0.0, estimate.horizon);
 }
 
@@ -298,14 +312,13 @@ crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver
 // SPDX-License-Identifier: MIT
 // The layers of a tap count as the one that occludes the most: stochastic-depth-ao 6.2, a-buffer-ssao III A.
 
-crease_layers crease_fetch_layers(vec2 texel);
 int crease_layer_count(crease_layers layers);
 float crease_layer_depth(crease_layers layers, int layer);
 vec3 crease_view_position(vec2 texel, float depth);
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position);
 
-crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap) {
-    crease_layers layers = crease_fetch_layers(tap.texel);
+crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                crease_layers layers) {
     crease_contribution most = crease_weigh(
         estimate, receiver, tap, crease_view_position(tap.texel, crease_layer_depth(layers, 0)));
     for (int layer = 1; layer < crease_layer_count(layers); ++layer) {
@@ -329,7 +342,9 @@ vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
 crease_estimate crease_estimate_begin(crease_receiver receiver);
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);
-crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap);
+crease_layers crease_fetch_layers(vec2 texel);
+crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                crease_layers layers);
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
 float crease_estimate_occlusion(crease_estimate estimate);
 crease_gathered crease_gathered_begin();
@@ -350,6 +365,25 @@ crease_receiver crease_receiver_at(ivec2 pixel, vec2 texel, vec3 position, vec3 
     return receiver;
 }
 
+const int crease_batch = 4; // taps whose layers are fetched before any is weighed, so that the waits overlap
+
+void crease_take(inout crease_estimate estimate, inout crease_gathered gathered, inout crease_pattern pattern,
+                 crease_receiver receiver, int first, int count) {
+    crease_tap taps[crease_batch];
+    crease_layers layers[crease_batch];
+    for (int i = 0; i < count; ++i) {
+        taps[i] = crease_pattern_tap(pattern, receiver, first + i);
+        layers[i] = crease_fetch_layers(taps[i].inside ? taps[i].texel : receiver.texel);
+    }
+    for (int i = 0; i < count; ++i) {
+        crease_contribution contribution = crease_fold(estimate, receiver, taps[i], layers[i]);
+        if (taps[i].inside) {
+            crease_estimate_add(estimate, contribution);
+            crease_gathered_tap(gathered, receiver, taps[i], contribution);
+        }
+    }
+}
+
 crease_gathered crease_gather(crease_receiver receiver) {
     crease_pattern pattern = crease_pattern_begin(receiver);
     crease_estimate estimate = crease_estimate_begin(receiver);
@@ -357,14 +391,10 @@ crease_gathered crease_gather(crease_receiver receiver) {
     for (int i = 0; i < crease_direction_count(); ++i) {
         vec2 direction = crease_pattern_turn(pattern, receiver, i);
         crease_estimate_turn(estimate, direction);
-        for (int step = 0; step < crease_step_count(); ++step) {
-            crease_tap tap = crease_pattern_tap(pattern, receiver, step);
-            if (tap.inside) {
-                crease_contribution contribution = crease_fold(estimate, receiver, tap);
-                crease_estimate_add(estimate, contribution);
-                crease_gathered_tap(gathered, receiver, tap, contribution);
-            }
-        }
+        int rest = crease_step_count() % crease_batch, whole = crease_step_count() - rest;
+        for (int step = 0; step < whole; step += crease_batch)
+            crease_take(estimate, gathered, pattern, receiver, step, crease_batch);
+        crease_take(estimate, gathered, pattern, receiver, whole, rest);
         crease_gathered_turn(gathered, receiver, estimate, direction);
     }
     gathered.occlusion = crease_estimate_occlusion(estimate);

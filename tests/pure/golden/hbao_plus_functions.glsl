@@ -1,6 +1,5 @@
 layout(constant_id = 10) const int crease_poisson_disk_count = 16;
 const int crease_divisor = 1;
-#define crease_view crease_views[0]
 const int crease_view_index = 0;
 layout(set = 1, binding = 5) uniform sampler2D crease_depth;
 layout(set = 1, binding = 6) uniform sampler2D crease_normal;
@@ -27,7 +26,19 @@ layout(crease_parameters_place) uniform crease_parameters {
     uint crease_frame;
     float crease_opacity;
     float crease_front_reach;
-};
+} crease_given;
+
+// Read once, as not every compiler takes the reading out of a loop.
+crease_view_parameters crease_view = crease_given.crease_views[crease_view_index]; // of the camera at work
+float crease_radius = crease_given.crease_radius;
+float crease_bias = crease_given.crease_bias;
+float crease_threshold = crease_given.crease_threshold;
+float crease_strength = crease_given.crease_strength;
+float crease_exponent = crease_given.crease_exponent;
+float crease_sharpness = crease_given.crease_sharpness;
+uint crease_frame = crease_given.crease_frame;
+float crease_opacity = crease_given.crease_opacity;
+float crease_front_reach = crease_given.crease_front_reach;
 // SPDX-License-Identifier: MIT
 // The depth of what is not there: further than any radius, and finite, so that its square is too.
 const float crease_background = 1e15;
@@ -248,14 +259,13 @@ crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver
 // SPDX-License-Identifier: MIT
 // The layers of a tap count as the one that occludes the most: stochastic-depth-ao 6.2, a-buffer-ssao III A.
 
-crease_layers crease_fetch_layers(vec2 texel);
 int crease_layer_count(crease_layers layers);
 float crease_layer_depth(crease_layers layers, int layer);
 vec3 crease_view_position(vec2 texel, float depth);
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position);
 
-crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap) {
-    crease_layers layers = crease_fetch_layers(tap.texel);
+crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                crease_layers layers) {
     crease_contribution most = crease_weigh(
         estimate, receiver, tap, crease_view_position(tap.texel, crease_layer_depth(layers, 0)));
     for (int layer = 1; layer < crease_layer_count(layers); ++layer) {
@@ -279,7 +289,9 @@ vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
 crease_estimate crease_estimate_begin(crease_receiver receiver);
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);
-crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap);
+crease_layers crease_fetch_layers(vec2 texel);
+crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                crease_layers layers);
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
 float crease_estimate_occlusion(crease_estimate estimate);
 crease_gathered crease_gathered_begin();
@@ -300,6 +312,25 @@ crease_receiver crease_receiver_at(ivec2 pixel, vec2 texel, vec3 position, vec3 
     return receiver;
 }
 
+const int crease_batch = 4; // taps whose layers are fetched before any is weighed, so that the waits overlap
+
+void crease_take(inout crease_estimate estimate, inout crease_gathered gathered, inout crease_pattern pattern,
+                 crease_receiver receiver, int first, int count) {
+    crease_tap taps[crease_batch];
+    crease_layers layers[crease_batch];
+    for (int i = 0; i < count; ++i) {
+        taps[i] = crease_pattern_tap(pattern, receiver, first + i);
+        layers[i] = crease_fetch_layers(taps[i].inside ? taps[i].texel : receiver.texel);
+    }
+    for (int i = 0; i < count; ++i) {
+        crease_contribution contribution = crease_fold(estimate, receiver, taps[i], layers[i]);
+        if (taps[i].inside) {
+            crease_estimate_add(estimate, contribution);
+            crease_gathered_tap(gathered, receiver, taps[i], contribution);
+        }
+    }
+}
+
 crease_gathered crease_gather(crease_receiver receiver) {
     crease_pattern pattern = crease_pattern_begin(receiver);
     crease_estimate estimate = crease_estimate_begin(receiver);
@@ -307,14 +338,10 @@ crease_gathered crease_gather(crease_receiver receiver) {
     for (int i = 0; i < crease_direction_count(); ++i) {
         vec2 direction = crease_pattern_turn(pattern, receiver, i);
         crease_estimate_turn(estimate, direction);
-        for (int step = 0; step < crease_step_count(); ++step) {
-            crease_tap tap = crease_pattern_tap(pattern, receiver, step);
-            if (tap.inside) {
-                crease_contribution contribution = crease_fold(estimate, receiver, tap);
-                crease_estimate_add(estimate, contribution);
-                crease_gathered_tap(gathered, receiver, tap, contribution);
-            }
-        }
+        int rest = crease_step_count() % crease_batch, whole = crease_step_count() - rest;
+        for (int step = 0; step < whole; step += crease_batch)
+            crease_take(estimate, gathered, pattern, receiver, step, crease_batch);
+        crease_take(estimate, gathered, pattern, receiver, whole, rest);
         crease_gathered_turn(gathered, receiver, estimate, direction);
     }
     gathered.occlusion = crease_estimate_occlusion(estimate);
