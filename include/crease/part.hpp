@@ -135,8 +135,8 @@ struct part {
     std::span<const step> steps{};             ///< a depth source's before the main pass, a filter's after it
     const glsl_file* fold = nullptr; ///< how the layers of a tap become one contribution, where there is
                                      ///< no part of the role; a depth source's comes before an estimator's
-    std::span<const glsl_file* const>
-        folds{};                            ///< a fold's: the same, as files that stand after the estimator's
+    const glsl_file* packs =
+        nullptr; ///< a fold's: which layers it asks of the depth source, for that source's steps
     const glsl_file* main_body = nullptr;   ///< a second view's: what takes the place of core/visibility.glsl
     const capture_step* captures = nullptr; ///< a layer carrier's
     const glsl_file* result = nullptr;      ///< an output's: `struct crease_result` and its arithmetic

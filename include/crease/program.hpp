@@ -233,10 +233,7 @@ constexpr program write_evaluate(const plan& p, const planned_pass& pass) {
         to.add_file(&receiver_glsl);
     to.add_files_of(roles);
     if (is_main) {
-        if (const choice* fold = p.find(role::fold)) {
-            for (const glsl_file* file : fold->what->folds)
-                to.add_file(file);
-        } else {
+        if (!p.find(role::fold)) {
             const glsl_file* of_source = p.chosen(role::depth_source).what->fold;
             to.add_file(of_source ? of_source : p.chosen(role::estimator).what->fold);
         }
@@ -305,6 +302,8 @@ constexpr program write_build(const plan& p, const planned_pass& pass) {
     to.add_file(&parameters_glsl);
     to.add_file(&types_glsl);
     to.add_files_of(s.includes);
+    if (const choice* fold = p.find(role::fold))
+        to.add_file(fold->what->packs);
     to.add_file(s.body);
     to.add_file(shell_of(s.kind));
 

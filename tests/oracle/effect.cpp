@@ -144,11 +144,14 @@ double ssao(const picture& p, const receiver& r, const settings& s,
         if (!(glm::dot(t.point - r.position, r.normal) > s.bias * s.radius))
             continue;
         points += 1;
-        const double d = p.position(t.x, t.y).z; // view space, negative
-        if (d >= t.point.z) {
+        double most = 0; // of all layers
+        for (const glm::dvec3& position : p.positions(t.x, t.y)) {
+            const double d = position.z; // view space, negative
             const double x = std::clamp(s.radius / std::abs(r.position.z - d), 0.0, 1.0);
-            occluded += x * x * (3 - 2 * x);
+            if (d >= t.point.z)
+                most = std::max(most, x * x * (3 - 2 * x));
         }
+        occluded += most;
     }
     return points > 0 ? occluded / points : 0;
 }
@@ -159,22 +162,28 @@ double hbao(const picture& p, const receiver& r, const settings& s,
     for (const std::vector<tap>& direction : taps) {
         double horizon_rise = 0; // sin(h) - sin(t) of the highest so far
         for (const tap& t : direction) {
-            const glm::dvec3 v = p.position(t.x, t.y) - r.position;
-            const double length = glm::length(v);
             // The slice of the marched direction and the eye: the tangent in it, and the normal's part in it.
             const double facing = std::max(glm::dot(r.normal, r.to_eye), 1e-3);
             const double tangent = std::atan2(-glm::dot(r.normal, t.azimuth), facing);
             const double part = std::hypot(glm::dot(r.normal, t.azimuth), facing);
-            const double over_tangent =
-                std::asin(std::clamp(glm::dot(v, r.normal) / (length * part), -1.0, 1.0));
-            const double phi = tangent + over_tangent;
             const double biased = std::min(tangent + s.bias, glm::half_pi<double>());
             const double horizon = std::max(horizon_rise, std::sin(biased) - std::sin(tangent));
-            const double above = std::sin(phi) - std::sin(tangent);
-            if (above > horizon && length < s.radius && glm::dot(v, r.normal) / length > s.threshold) {
-                occlusion += falloff(length, s.radius) * (above - horizon);
-                horizon_rise = above;
+            double most = 0, highest = horizon_rise; // of the layer that occludes the most
+            for (const glm::dvec3& position : p.positions(t.x, t.y)) {
+                const glm::dvec3 v = position - r.position;
+                const double length = glm::length(v);
+                const double over_tangent =
+                    std::asin(std::clamp(glm::dot(v, r.normal) / (length * part), -1.0, 1.0));
+                const double above = std::sin(tangent + over_tangent) - std::sin(tangent);
+                const double occludes = falloff(length, s.radius) * (above - horizon);
+                if (above > horizon && length < s.radius && glm::dot(v, r.normal) / length > s.threshold &&
+                    occludes > most) {
+                    most = occludes;
+                    highest = above;
+                }
             }
+            occlusion += most;
+            horizon_rise = highest;
         }
     }
     return occlusion / static_cast<double>(taps.size());
@@ -185,11 +194,15 @@ double hbao_plus(const picture& p, const receiver& r, const settings& s,
     double occlusion = 0, count = 0;
     for (const std::vector<tap>& direction : taps)
         for (const tap& t : direction) {
-            const glm::dvec3 v = p.position(t.x, t.y) - r.position;
-            const double length = glm::length(v);
-            if (length < s.radius)
-                occlusion +=
-                    falloff(length, s.radius) * std::max(glm::dot(v, r.normal) / length - s.bias, 0.0);
+            double most = 0; // of all layers
+            for (const glm::dvec3& position : p.positions(t.x, t.y)) {
+                const glm::dvec3 v = position - r.position;
+                const double length = glm::length(v);
+                if (length < s.radius)
+                    most = std::max(most, falloff(length, s.radius) *
+                                              std::max(glm::dot(v, r.normal) / length - s.bias, 0.0));
+            }
+            occlusion += most;
             count += 1;
         }
     return count > 0 ? occlusion / count : 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "picture.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,6 +16,14 @@ glm::dvec3 picture::unproject(glm::dvec2 texel, double z) const {
 glm::dvec2 picture::project(glm::dvec3 position) const {
     const glm::dvec4 clip = projection * glm::dvec4(position, 1);
     return {(clip.x / clip.w + 1) / 2 * width, (clip.y / clip.w + 1) / 2 * height};
+}
+
+std::vector<glm::dvec3> picture::positions(int x, int y) const {
+    std::vector<glm::dvec3> all{position(x, y)};
+    if (!hidden.empty())
+        for (float z : hidden[index(x, y)])
+            all.push_back(unproject({x + 0.5, y + 0.5}, z));
+    return all;
 }
 
 void picture::ray(glm::dvec2 texel, glm::dvec3& origin, glm::dvec3& direction) const {
@@ -102,6 +111,27 @@ picture draw(const std::vector<surface>& surfaces, lens kind, int width, int hei
             const bool seen = nearest < 200 && -position.z < 49.5;
             p.device.push_back(static_cast<float>(seen ? z : p.clear_value()));
             p.normals.push_back(glm::vec3(glm::dot(normal, p.to_eye(position)) < 0 ? -normal : normal));
+        }
+    return p;
+}
+
+picture draw_all(const std::vector<surface>& surfaces, lens kind, int width, int height) {
+    picture p = draw(surfaces, kind, width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            glm::dvec3 origin, direction, normal;
+            p.ray({x + 0.5, y + 0.5}, origin, direction);
+            std::vector<float> depths;
+            for (const surface& s : surfaces) {
+                const glm::dvec3 position = origin + meet(s, origin, direction, normal) * direction;
+                const glm::dvec4 clip = p.projection * glm::dvec4(position, 1);
+                if (-position.z < 49.5)
+                    depths.push_back(static_cast<float>(clip.z / clip.w));
+            }
+            std::ranges::sort(depths);
+            if (p.reversed)
+                std::ranges::reverse(depths);
+            p.hidden.emplace_back(depths.begin() + (depths.empty() ? 0 : 1), depths.end());
         }
     return p;
 }

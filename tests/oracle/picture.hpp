@@ -13,6 +13,8 @@ struct picture {
     glm::dmat4 projection{1};  ///< view space to Vulkan clip space
     bool reversed = false;     ///< device depth 0 is far
     std::vector<float> device; ///< depth in [0, 1], row 0 first; the clear value where there is background
+    std::vector<std::vector<float>>
+        hidden;                     ///< of each texel the depths behind, nearest first; empty: none has any
     std::vector<glm::vec3> normals; ///< view space, unit, facing the camera
 
     std::size_t index(int x, int y) const {
@@ -26,6 +28,8 @@ struct picture {
     /// matrix.
     glm::dvec3 unproject(glm::dvec2 texel, double z) const;
     glm::dvec3 position(int x, int y) const { return unproject({x + 0.5, y + 0.5}, device[index(x, y)]); }
+    /// Of all layers of a texel, the front one first.
+    std::vector<glm::dvec3> positions(int x, int y) const;
     /// Texel coordinates of a view-space position.
     glm::dvec2 project(glm::dvec3 position) const;
     /// The ray of a texel: a point on it, and its direction away from the eye, unit.
@@ -55,6 +59,9 @@ struct surface {
 
 /// Draws surfaces: the nearest that a texel's ray meets beyond the near plane.
 picture draw(const std::vector<surface>& surfaces, lens kind, int width, int height);
+
+/// The same, and what lies behind the nearest.
+picture draw_all(const std::vector<surface>& surfaces, lens kind, int width, int height);
 
 /// A floor, a wall, a slanted plane and two spheres: contact, corners, gaps and background.
 std::vector<surface> still_life();

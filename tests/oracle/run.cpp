@@ -23,7 +23,8 @@ crease::parameters view_parameters(const picture& p, const crease::effect_view& 
     return how;
 }
 
-std::vector<float> run(const picture& p, const crease::effect_view& effect, const crease::parameters& how) {
+std::vector<float> run_for(const picture& p, const crease::effect_view& effect, const crease::parameters& how,
+                           const char* output) {
     crease::vulkan::runner runner(device(), effect, static_cast<unsigned>(p.width),
                                   static_cast<unsigned>(p.height));
     for (const crease::resource& input : effect.resources) {
@@ -43,7 +44,11 @@ std::vector<float> run(const picture& p, const crease::effect_view& effect, cons
         }
     }
     runner.run(how);
-    return runner.download("visibility");
+    return runner.download(output);
+}
+
+std::vector<float> run(const picture& p, const crease::effect_view& effect, const crease::parameters& how) {
+    return run_for(p, effect, how, "visibility");
 }
 
 std::vector<float> run(const picture& p, const std::string& recipe_text, double radius) {

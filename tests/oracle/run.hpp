@@ -20,6 +20,10 @@ crease::parameters view_parameters(const picture& p, const crease::effect_view& 
 /// The visibility that an effect gives for a picture, row by row.
 std::vector<float> run(const picture& p, const crease::effect_view& effect, const crease::parameters& how);
 
+/// The numbers of another output of the effect, given by its resource's name.
+std::vector<float> run_for(const picture& p, const crease::effect_view& effect, const crease::parameters& how,
+                           const char* output);
+
 /// The same for a recipe; its defaults and this radius.
 std::vector<float> run(const picture& p, const std::string& recipe_text, double radius);
 

@@ -44,6 +44,44 @@ TEST_CASE("error to the linear truth") {
     }
 }
 
+TEST_CASE("stochastic layers give back what hidden geometry takes, and bent normals lean as the truth's do") {
+    const mesh scene = built_in_scene();
+    camera from = built_in_cameras().front();
+    from.width = 480;
+    from.height = 270;
+    const truth traced = trace_truth(
+        scene, from,
+        {.width = 480, .height = 270, .radius = from.ao_radius, .rays = 128, .first_layer = true});
+    const image mask = hidden_mask(traced);
+    crease::vulkan::device device({.name = "", .validation = true});
+    const gbuffer inputs = rasterise(device, scene, from);
+    image depth = inputs.depth;
+    for (std::size_t i = 0; i < depth.texels.size(); ++i)
+        if (mask.texels[i] == 0)
+            depth.texels[i] = from.far;
+    const auto run = [&](const char* recipe) {
+        return run_effect(device, crease::recipe(std::string_view(recipe)), inputs,
+                          {.radius = from.ao_radius, .settings = {}});
+    };
+    const auto hidden_bias = [&](const char* recipe) {
+        const comparison error =
+            compare(run(recipe).visibility, traced.ao_linear, {.depth = &depth, .far = from.far});
+        MESSAGE(std::string(recipe) << " where geometry is hidden: RMSE " << error.rmse << ", bias "
+                                    << error.bias << ", of " << error.pixels << " pixels");
+        return error.bias;
+    };
+    CHECK(hidden_bias("directions:8x4/stochastic_layers:16/hbao/bilateral") <
+          0.5 * hidden_bias("directions:8x4/single_layer/hbao/bilateral"));
+    for (const char* recipe : {"directions:8x4/single_layer/hbao/bent_cone/bilateral",
+                               "directions:8x4/single_layer/hbao_plus/bent_cone/bilateral",
+                               "hemisphere_points:32/single_layer/ssao/bent_cone/bilateral"}) {
+        const double degrees = mean_angle(*run(recipe).bent, traced.bent);
+        const double of_normals = mean_angle(inputs.normal, traced.bent);
+        MESSAGE(std::string(recipe) << ": " << degrees << " degrees; the normals themselves " << of_normals);
+        CHECK(degrees < of_normals);
+    }
+}
+
 TEST_CASE("the rasteriser sees what the tracer sees") {
     const mesh scene = built_in_scene();
     camera from = built_in_cameras().front();

@@ -29,8 +29,7 @@ struct stochastic_layers_part {
                                            .size = {.guarded = true},
                                            .arrayed = true,
                                            .layers_by = {.number = 0}}};
-    static constexpr role packing[] = {role::projection, role::depth_encoding, role::layer_carrier,
-                                       role::fold};
+    static constexpr role packing[] = {role::projection, role::depth_encoding, role::layer_carrier};
     static constexpr std::string_view filled[] = {"packed_layers"};
     static constexpr step passes[] = {{.name = "pack_layers",
                                        .body = &pack_layers_glsl,

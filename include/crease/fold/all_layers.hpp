@@ -23,15 +23,16 @@ CREASE_TRAIT(
 /// Fold: the layer that occludes the most, of all that a tap finds. The default of a depth source that
 /// captures layers.
 struct all_layers {
-    static constexpr const glsl_file* files[] = {&fold_groups_glsl, &all_layers_glsl};
+    static constexpr const glsl_file* helpers[] = {&fold_groups_glsl};
     static constexpr part description{
         .kind = role::fold,
         .name = "all_layers",
         .summary = "looks at all layers of every tap",
         .source = "stochastic-depth-ao 2020, 6.2",
-        .glsl = &front_kept_glsl,
+        .glsl = &all_layers_glsl,
+        .helpers = helpers,
         .offers = traits<any_view>::list,
-        .folds = files,
+        .packs = &front_kept_glsl,
     };
 };
 

@@ -21,7 +21,7 @@ CREASE_TRAIT(front_test, estimator,
 
 struct front_first_part {
     using needs = traits<front_test>;
-    static constexpr const glsl_file* files[] = {&fold_groups_glsl, &front_first_glsl};
+    static constexpr const glsl_file* helpers[] = {&fold_groups_glsl};
     static constexpr number takes[] = {
         {"angle", 0, 1, 1,
          "1: a front surface below the horizon settles a tap, the angle skip; 0: it does not"}};
@@ -34,11 +34,12 @@ struct front_first_part {
         .name = "front_first",
         .summary = "looks at the front surface first, and behind it only where that may matter",
         .source = "stochastic-depth-ao 2020, 6.3",
-        .glsl = &front_dropped_glsl,
+        .glsl = &front_first_glsl,
+        .helpers = helpers,
         .numbers = takes,
         .settings = reads,
         .needs = needs::list,
-        .folds = files,
+        .packs = &front_dropped_glsl,
     };
 };
 

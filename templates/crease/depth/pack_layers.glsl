@@ -17,7 +17,8 @@ void crease_pack_layer(ivec2 texel, int layer, float depth) {
 void crease_build(ivec2 texel) {
     vec4 latest = vec4(crease_background); // samples of a fragment older than these four may be packed twice
     int packed_count = 0;
-    float front = crease_depth_at(vec2(texel) + 0.5 - crease_view.guard);
+    // The depth image is the first camera's.
+    float front = crease_view_index == 0 ? crease_depth_at(vec2(texel) + 0.5 - crease_view.guard) : 0.0;
     for (int i = 0; i < crease_stochastic_layers_count; ++i) {
         float depth = crease_captured_depth(texel, i);
         bool there = depth > 0.0 && depth < crease_background && crease_is_packed(depth, front);

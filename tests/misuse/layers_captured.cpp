@@ -1,0 +1,9 @@
+// crease::effect: a part is of use only beside a depth source that captures layers, and this one captures none
+// (stratified, single_layer)
+// directions/single_layer/hbao/stratified
+// SPDX-License-Identifier: MIT
+#include <crease/crease.hpp>
+
+using namespace crease;
+
+constexpr auto count = effect<directions<>, single_layer, hbao, stratified>::passes.size();

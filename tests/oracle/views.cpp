@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// What a second camera and a guard band add to the picture.
+#include "run.hpp"
+
+#include "frame/frame.hpp"
+
+#include <crease/second_camera.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace crease::tools;
+
+/// A box with these corners, as twelve triangles.
+void add_box(mesh& to, glm::vec3 low, glm::vec3 high) {
+    const auto first = static_cast<std::uint32_t>(to.positions.size());
+    for (unsigned i = 0; i < 8; ++i)
+        to.positions.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
+    for (std::uint32_t i : {0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
+                            2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3})
+        to.indices.push_back(first + i);
+}
+
+/// A wall that faces the camera, and a thin bar that stands out from it, of which the camera sees the end
+/// alone.
+mesh bar_on_wall() {
+    mesh scene;
+    add_box(scene, {-6, -4, -6.2f}, {6, 4, -6});
+    add_box(scene, {-0.1f, -1, -6}, {0.1f, 1, -4.5f});
+    return scene;
+}
+
+camera in_front() {
+    camera c;
+    c.name = "in front";
+    c.eye = {0, 0, 0};
+    c.target = {0, 0, -1};
+    c.vfov_deg = 50;
+    c.near = 0.1f;
+    c.far = 50;
+    c.width = 200;
+    c.height = 120;
+    c.ao_radius = 1;
+    return c;
+}
+
+frame render(const mesh& scene, const camera& from, const std::string& text, unsigned guard, float opacity,
+             const std::optional<camera>& second = {}) {
+    const gbuffer inputs = rasterise(oracle::device(), scene, from, guard);
+    frame_options how{.radius = from.ao_radius, .settings = {}, .second = second};
+    if (text.find("stochastic") != std::string::npos)
+        how.settings["opacity"] = opacity;
+    return run_effect(oracle::device(), crease::recipe(std::string_view(text)), inputs, how);
+}
+
+}
+
+TEST_CASE("a second camera in the first one's place changes nothing") {
+    const mesh scene = bar_on_wall();
+    const camera from = in_front();
+    const std::string one = "directions:8x4/stochastic_layers:4/hbao_plus/atomic_minimum";
+    const frame single = render(scene, from, one, 0, 1);
+    const frame both = render(scene, from, one + "/second_view:1", 0, 1, from);
+    std::size_t other = 0;
+    for (std::size_t i = 0; i < single.visibility.texels.size(); ++i)
+        other += std::abs(single.visibility.texels[i] - both.visibility.texels[i]) > 1.5f / 255;
+    CHECK(other < single.visibility.texels.size() /
+                      100); // where the way there and back rounds a tap to the next texel
+}
+
+TEST_CASE("a second camera sees the side of a bar that the first sees from its end") {
+    const mesh scene = bar_on_wall();
+    const camera from = in_front();
+    camera aside = from;
+    aside.eye = {3, 0, -2};
+    aside.target = {0, 0, -6};
+    const std::string one = "directions:8x6/stochastic_layers:4/hbao_plus/atomic_minimum";
+    const frame single = render(scene, from, one, 0, 1);
+    for (const char* second : {"/second_view:1", "/second_view:2"}) {
+        CAPTURE(std::string(second));
+        const frame both = render(scene, from, one + second, 0, 0.5f, aside);
+        double gained = 0;
+        int count = 0;
+        for (unsigned x = 106; x < 112; ++x) // the wall to the right of the bar
+            for (unsigned y = 55; y < 65; ++y, ++count)
+                gained += double{single.visibility.at(x, y)} - double{both.visibility.at(x, y)};
+        CHECK(gained / count > 0.1);
+        for (std::size_t i = 0; i < single.visibility.texels.size(); ++i) // the greater occlusion counts
+            CHECK(both.visibility.texels[i] <= 1);
+    }
+}
+
+TEST_CASE("the second camera is placed to the right and in front, turned to the middle") {
+    crease::parameters p;
+    crease::place_second_camera(p, 1, 2, 10);
+    const auto turned = [&p](float x, float y, float z) {
+        const float* m = p.second_from_first;
+        return glm::vec3(m[0] * x + m[4] * y + m[8] * z + m[12], m[1] * x + m[5] * y + m[9] * z + m[13],
+                         m[2] * x + m[6] * y + m[10] * z + m[14]);
+    };
+    CHECK(glm::length(turned(1, 0, -2)) == doctest::Approx(0).epsilon(1e-6));
+    const glm::vec3 focus = turned(0, 0, -10);
+    CHECK(focus.x == doctest::Approx(0).epsilon(1e-5));
+    CHECK(focus.z == doctest::Approx(-std::sqrt(65.0f)));
+    CHECK(turned(1, 3, -2).y == doctest::Approx(3));
+}
+
+TEST_CASE("a guard band lets what stands beside the picture darken it") {
+    mesh scene;
+    add_box(scene, {-20, -1.2f, -20}, {20, -1, 20}); // a floor
+    const camera from = in_front();
+    const float edge = 6 * std::tan(0.4363f) * 200 / 120; // where the picture ends at depth 6
+    add_box(scene, {edge + 0.02f, -1, -8}, {edge + 0.5f, 2, -4});
+    for (const char* text :
+         {"directions:8x6/single_layer/hbao", "directions:8x6/stochastic_layers:4/hbao/atomic_minimum"}) {
+        CAPTURE(std::string(text));
+        const frame bare = render(scene, from, text, 0, 1), guarded = render(scene, from, text, 48, 1);
+        double bare_edge = 0, guarded_edge = 0;
+        const unsigned row =
+            60 + static_cast<unsigned>(60 * (1 / 6.0) / std::tan(0.4363)); // the floor at depth 6
+        for (unsigned x = 188; x < 200; ++x) {
+            bare_edge += double{bare.visibility.at(x, row)} / 12;
+            guarded_edge += double{guarded.visibility.at(x, row)} / 12;
+        }
+        CHECK(guarded_edge < bare_edge - 0.05);
+        for (unsigned x = 60; x < 100; ++x) // and what is far from the edge is the same
+            CHECK(bare.visibility.at(x, row) == doctest::Approx(guarded.visibility.at(x, row)).epsilon(0.02));
+    }
+}
