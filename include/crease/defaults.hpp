@@ -2,6 +2,7 @@
 #pragma once
 
 #include <crease/dialect/vulkan.hpp>
+#include <crease/noise/hashed_noise.hpp>
 #include <crease/output/visibility_only.hpp>
 #include <crease/stage/compute.hpp>
 #include <crease/view/device_depth.hpp>
@@ -11,8 +12,9 @@
 namespace crease {
 
 /// The parts of an effect that need not be named.
-inline constexpr choice default_choices[] = {choice_of<perspective>(),   choice_of<device_depth>(),
-                                             choice_of<given_normals>(), choice_of<visibility_only>(),
-                                             choice_of<compute<>>(),     choice_of<vulkan_glsl>()};
+inline constexpr choice default_choices[] = {choice_of<perspective>(),     choice_of<device_depth>(),
+                                             choice_of<given_normals>(),   choice_of<hashed_noise>(),
+                                             choice_of<visibility_only>(), choice_of<compute<>>(),
+                                             choice_of<vulkan_glsl>()};
 
 }

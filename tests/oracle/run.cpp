@@ -23,7 +23,8 @@ crease::parameters view_parameters(const picture& p, const crease::effect_view& 
     return how;
 }
 
-std::vector<float> run(const picture& p, const crease::effect_view& effect, const crease::parameters& how) {
+std::vector<float> run(const picture& p, const crease::effect_view& effect, const crease::parameters& how,
+                       std::string_view image) {
     crease::vulkan::runner runner(device(), effect, static_cast<unsigned>(p.width),
                                   static_cast<unsigned>(p.height));
     for (const crease::resource& input : effect.resources) {
@@ -43,7 +44,7 @@ std::vector<float> run(const picture& p, const crease::effect_view& effect, cons
         }
     }
     runner.run(how);
-    return runner.download("visibility");
+    return runner.download(image);
 }
 
 std::vector<float> run(const picture& p, const std::string& recipe_text, double radius) {
@@ -59,6 +60,7 @@ settings settings_of(const crease::parameters& how) {
             .strength = how.strength,
             .exponent = how.exponent,
             .sharpness = how.sharpness,
+            .falloff = how.falloff,
             .frame = how.frame};
 }
 

@@ -44,6 +44,10 @@ inline std::vector<std::string> every_recipe() {
     for (crease::role each : {crease::role::projection, crease::role::depth_encoding, crease::role::normals,
                               crease::role::stage, crease::role::dialect})
         all = times(all, names_of(each));
+    // Each of these touches the three and the filters, and nothing else.
+    for (crease::role each : {crease::role::noise, crease::role::output})
+        for (const std::string& text : times(times(three, filter_chains()), names_of(each)))
+            all.push_back(text);
     std::erase_if(all, [](const std::string& text) { return !crease::recipe(text); });
     return all;
 }

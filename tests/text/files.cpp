@@ -57,13 +57,18 @@ std::string structs_for(const std::string& text) {
         const std::size_t begin = from.find(wanted);
         structs += from.substr(begin, from.find(ends, begin) + ends.size() - begin) + "\n";
     };
-    add("crease_result", "output/visibility_result.glsl", "};");
+    const auto holds = [&](std::string_view word) { return text.find(word) != std::string::npos; };
+    add("crease_result", holds("shade") ? "output/shade_result.glsl" : "output/visibility_result.glsl", "};");
     add("crease_receiver", "core/receiver.glsl", "};");
     add("crease_gathered", "output/visibility_only.glsl", "};");
     add("crease_layers", "depth/single_layer.glsl", "};");
-    const bool points =
-        text.find(".point") != std::string::npos || text.find("hemisphere") != std::string::npos;
-    add("crease_tap", points ? "sampler/point_tap.glsl" : "sampler/screen_tap.glsl", "};");
+    const bool points = holds(".point") || holds("sphere_points");
+    const bool lines = holds("tap.near") || holds("crease_line_clip");
+    add("crease_tap",
+        points  ? "sampler/point_tap.glsl"
+        : lines ? "sampler/line_tap.glsl"
+                : "sampler/screen_tap.glsl",
+        "};");
     add("crease_pattern", "sampler/directions.glsl", "};");
     add("crease_estimate", "estimator/hbao.glsl", "};");
     add("crease_contribution", "estimator/hbao.glsl", "};");
@@ -97,14 +102,14 @@ TEST_CASE("each GLSL file alone") {
 
 TEST_CASE("an error names the file and its line") {
     const std::string wrong =
-        read(fs::path(CREASE_TEMPLATES) / "core/noise.glsl") + "float broken = nothing;\n";
+        read(fs::path(CREASE_TEMPLATES) / "noise/hashed_noise.glsl") + "float broken = nothing;\n";
     const crease::piece pieces[] = {
         {"interface", "#version 450\n#define crease_parameters_place std140, set = 0, binding = 0\n"},
         crease::parameters_glsl,
-        {"core/noise.glsl", wrong},
+        {"noise/hashed_noise.glsl", wrong},
         {"end", "void main() {}\n"}};
     const long line = std::count(wrong.begin(), wrong.end(), '\n');
     CHECK_THROWS_WITH_AS(crease::spirv::compile(pieces, crease::spirv::shader_stage::compute),
-                         doctest::Contains(("core/noise.glsl:" + std::to_string(line)).c_str()),
+                         doctest::Contains(("noise/hashed_noise.glsl:" + std::to_string(line)).c_str()),
                          crease::spirv::error);
 }
