@@ -95,8 +95,8 @@ inline constexpr auto
 ///
 /// `Sampler`, `DepthSource` and `Estimator` make the main pass; `Rest` are filters, in the order in which
 /// they run, and the view parts, the stage and the dialect, where they differ from the defaults (perspective,
-/// device_depth, given_normals, compute, vulkan_glsl). Parts that do not fit fail to compile, with one
-/// sentence.
+/// device_depth, given_normals, hashed_noise, visibility_only, compute, vulkan_glsl). Parts that do not fit
+/// fail to compile, with one sentence.
 template <class Sampler, class DepthSource, class Estimator, class... Rest>
 class effect {
     static constexpr bool legal = rules::assert_all<Sampler, DepthSource, Estimator, Rest...>();

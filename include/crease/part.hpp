@@ -19,6 +19,7 @@ enum class role : unsigned char {
     projection,     ///< view: between texels, view space and device depth
     depth_encoding, ///< view: what the depth image holds
     normals,        ///< view: where the receiver's normal comes from
+    noise,          ///< two numbers per pixel, by which a sampler differs from pixel to pixel
     second_view,    ///< view: a second camera, for what the first sees at a grazing angle
     layer_carrier,  ///< capture: what keeps the layers that the geometry pass draws
     layer_sampling, ///< capture: which samples keep a fragment
@@ -30,10 +31,10 @@ enum class role : unsigned char {
 };
 
 constexpr std::string_view name_of(role r) {
-    constexpr std::string_view names[] = {"sampler",        "depth source", "estimator",   "projection",
-                                          "depth encoding", "normals",      "second view", "layer carrier",
-                                          "layer sampling", "fold",         "output",      "filter",
-                                          "stage",          "dialect"};
+    constexpr std::string_view names[] = {"sampler",        "depth source",   "estimator", "projection",
+                                          "depth encoding", "normals",        "noise",     "second view",
+                                          "layer carrier",  "layer sampling", "fold",      "output",
+                                          "filter",         "stage",          "dialect"};
     return names[static_cast<unsigned>(r)];
 }
 

@@ -18,16 +18,26 @@
 #include <crease/dialect/vulkan.hpp>
 #include <crease/estimator/hbao.hpp>
 #include <crease/estimator/hbao_plus.hpp>
+#include <crease/estimator/line_volume.hpp>
+#include <crease/estimator/point_volume.hpp>
 #include <crease/estimator/ssao.hpp>
+#include <crease/estimator/unsharp_mask.hpp>
 #include <crease/filter/bilateral.hpp>
 #include <crease/filter/upsample.hpp>
 #include <crease/fold/all_layers.hpp>
 #include <crease/fold/front_first.hpp>
+#include <crease/noise/hashed_noise.hpp>
+#include <crease/noise/tiled_noise.hpp>
 #include <crease/output/bent_cone.hpp>
+#include <crease/output/shade.hpp>
 #include <crease/output/visibility_only.hpp>
+#include <crease/sampler/box_window.hpp>
 #include <crease/sampler/directions.hpp>
+#include <crease/sampler/hemisphere_lines.hpp>
 #include <crease/sampler/hemisphere_points.hpp>
 #include <crease/sampler/poisson_disk.hpp>
+#include <crease/sampler/sphere_lines.hpp>
+#include <crease/sampler/sphere_points.hpp>
 #include <crease/stage/compute.hpp>
 #include <crease/stage/fragment.hpp>
 #include <crease/stage/functions.hpp>
@@ -46,11 +56,18 @@ inline constexpr const part* all_parts[] = {
     &directions_part::description,
     &hemisphere_points_part::description,
     &poisson_disk_part::description,
+    &sphere_points_part::description,
+    &sphere_lines_part::description,
+    &hemisphere_lines_part::description,
+    &box_window_part::description,
     &single_layer::description,
     &stochastic_layers_part::description,
     &hbao::description,
     &hbao_plus::description,
     &ssao::description,
+    &point_volume::description,
+    &line_volume::description,
+    &unsharp_mask::description,
     &all_layers::description,
     &front_first_part::description,
     &second_view_part::description,
@@ -63,6 +80,7 @@ inline constexpr const part* all_parts[] = {
     &anisotropic_threshold::description,
     &visibility_only::description,
     &bent_cone::description,
+    &shade_part::description,
     &bilateral_part::description,
     &upsample_part::description,
     &perspective::description,
@@ -71,6 +89,8 @@ inline constexpr const part* all_parts[] = {
     &linear_depth::description,
     &given_normals::description,
     &reconstructed_normals::description,
+    &hashed_noise::description,
+    &tiled_noise_part::description,
     &compute_part::description,
     &fragment::description,
     &functions_part::description,

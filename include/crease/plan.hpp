@@ -74,9 +74,9 @@ struct plan {
 };
 
 /// The roles whose functions the main pass calls, in the order of their text.
-inline constexpr role main_roles[] = {role::second_view,  role::projection, role::depth_encoding,
-                                      role::depth_source, role::normals,    role::sampler,
-                                      role::estimator,    role::fold,       role::output};
+inline constexpr role main_roles[] = {
+    role::second_view, role::projection, role::depth_encoding, role::depth_source, role::normals,
+    role::noise,       role::sampler,    role::estimator,      role::fold,         role::output};
 
 inline constexpr step main_step{.name = "visibility", .body = &visibility_glsl, .includes = main_roles};
 

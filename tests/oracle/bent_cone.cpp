@@ -20,7 +20,7 @@ std::vector<glm::dvec4> run(const oracle::picture& p, const std::string& text, d
     const auto composed = std::make_unique<crease::composition>(chosen);
     crease::parameters how = oracle::view_parameters(p, composed->view(), radius);
     how.bias = static_cast<float>(bias);
-    const std::vector<float> four = oracle::run_for(p, composed->view(), how, "bent_cone");
+    const std::vector<float> four = oracle::run(p, composed->view(), how, "bent_cone");
     std::vector<glm::dvec4> all;
     for (std::size_t i = 0; i < four.size(); i += 4)
         all.emplace_back(four[i], four[i + 1], four[i + 2], four[i + 3]);

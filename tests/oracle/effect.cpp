@@ -12,19 +12,6 @@ namespace {
 
 constexpr double two_pi = 2 * glm::pi<double>();
 
-/// How texel coordinates move with an offset in space that faces the eye, by the two points themselves.
-glm::dvec2 texel_offset(const picture& p, const receiver& r, glm::dvec3 offset) {
-    const double small = 1e-5;
-    return (p.project(r.position + offset * small) - p.project(r.position - offset * small)) / (2 * small);
-}
-
-/// Two axes across the direction to the eye, the first of them level.
-void axes(const picture& p, const receiver& r, glm::dvec3& across, glm::dvec3& up) {
-    across =
-        p.is_perspective() ? glm::normalize(glm::cross(glm::dvec3(0, 1, 0), r.to_eye)) : glm::dvec3(1, 0, 0);
-    up = glm::cross(r.to_eye, across);
-}
-
 tap texel_of(glm::dvec2 coordinates) {
     return {static_cast<int>(std::floor(coordinates.x)), static_cast<int>(std::floor(coordinates.y)), {}, {}};
 }
@@ -35,8 +22,13 @@ double falloff(double distance, double radius) {
 
 }
 
-glm::dvec2 noise(int x, int y, std::uint32_t frame) {
-    std::uint32_t v[3] = {static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), frame};
+glm::dvec2 noise(int x, int y, const settings& s) {
+    if (s.tile > 0) {
+        const double place = (static_cast<double>(s.frame) * s.tile + y % s.tile) * s.tile + x % s.tile;
+        return {std::fmod(0.5 + place * (std::sqrt(5.0) - 1) / 2, 1.0),
+                std::fmod(0.5 + place * (std::sqrt(2.0) - 1), 1.0)};
+    }
+    std::uint32_t v[3] = {static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), s.frame};
     for (std::uint32_t& c : v)
         c = c * 1664525u + 1013904223u;
     const auto mix = [&v] {
@@ -48,6 +40,17 @@ glm::dvec2 noise(int x, int y, std::uint32_t frame) {
         c ^= c >> 16;
     mix();
     return {(v[0] >> 8) / 16777216.0, (v[1] >> 8) / 16777216.0};
+}
+
+glm::dvec2 texel_offset(const picture& p, const receiver& r, glm::dvec3 offset) {
+    const double small = 1e-5;
+    return (p.project(r.position + offset * small) - p.project(r.position - offset * small)) / (2 * small);
+}
+
+void axes(const picture& p, const receiver& r, glm::dvec3& across, glm::dvec3& up) {
+    across =
+        p.is_perspective() ? glm::normalize(glm::cross(glm::dvec3(0, 1, 0), r.to_eye)) : glm::dvec3(1, 0, 0);
+    up = glm::cross(r.to_eye, across);
 }
 
 glm::dvec3 reconstruct_normal(const picture& p, int x, int y) {
@@ -69,7 +72,7 @@ glm::dvec3 reconstruct_normal(const picture& p, int x, int y) {
 
 std::vector<std::vector<tap>> directions(const picture& p, const receiver& r, const settings& s, int count,
                                          int steps) {
-    const glm::dvec2 random = noise(r.pixel_x, r.pixel_y, s.frame);
+    const glm::dvec2 random = noise(r.pixel_x, r.pixel_y, s);
     glm::dvec3 across, up;
     axes(p, r, across, up);
     std::vector<std::vector<tap>> all;
@@ -94,7 +97,7 @@ std::vector<std::vector<tap>> directions(const picture& p, const receiver& r, co
 
 std::vector<std::vector<tap>> poisson_disk(const picture& p, const receiver& r, const settings& s,
                                            int count) {
-    const glm::dvec2 random = noise(r.pixel_x, r.pixel_y, s.frame);
+    const glm::dvec2 random = noise(r.pixel_x, r.pixel_y, s);
     const double golden_angle = glm::pi<double>() * (3 - std::sqrt(5.0));
     glm::dvec3 across, up;
     axes(p, r, across, up);
@@ -112,7 +115,7 @@ std::vector<std::vector<tap>> poisson_disk(const picture& p, const receiver& r, 
 
 std::vector<std::vector<tap>> hemisphere_points(const picture& p, const receiver& r, const settings& s,
                                                 int count) {
-    const glm::dvec2 random = noise(r.pixel_x, r.pixel_y, s.frame);
+    const glm::dvec2 random = noise(r.pixel_x, r.pixel_y, s);
     const glm::dvec3 axis = std::abs(r.normal.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
     const glm::dvec3 tangent = glm::normalize(glm::cross(axis, r.normal)),
                      bitangent = glm::cross(r.normal, tangent);

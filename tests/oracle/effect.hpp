@@ -11,12 +11,13 @@ namespace oracle {
 
 /// The settings of an effect, as crease::parameters names them.
 struct settings {
-    double radius = 1, bias = 0, threshold = 0, strength = 1, exponent = 1, sharpness = 8;
+    double radius = 1, bias = 0, threshold = 0, strength = 1, exponent = 1, sharpness = 8, falloff = 1;
     std::uint32_t frame = 0;
+    int tile = 0; ///< side of the tile of the noise; 0: it is hashed
 };
 
 /// Two numbers in [0, 1) of a pixel and a frame.
-glm::dvec2 noise(int x, int y, std::uint32_t frame);
+glm::dvec2 noise(int x, int y, const settings& s);
 
 /// A texel that a sampler proposes; for point samplers also the point, on the ray of the texel.
 struct tap {
@@ -31,6 +32,12 @@ struct receiver {
     int pixel_x, pixel_y; ///< of the output, which may be smaller
     glm::dvec3 position, normal, to_eye;
 };
+
+/// How texel coordinates move with an offset in space that faces the eye, by the two points themselves.
+glm::dvec2 texel_offset(const picture& p, const receiver& r, glm::dvec3 offset);
+
+/// Two axes across the direction to the eye, the first of them level.
+void axes(const picture& p, const receiver& r, glm::dvec3& across, glm::dvec3& up);
 
 /// Normal from the depth of the neighbours: of left and right, and of up and down, the nearer in depth.
 glm::dvec3 reconstruct_normal(const picture& p, int x, int y);

@@ -23,8 +23,8 @@ crease::parameters view_parameters(const picture& p, const crease::effect_view& 
     return how;
 }
 
-std::vector<float> run_for(const picture& p, const crease::effect_view& effect, const crease::parameters& how,
-                           const char* output) {
+std::vector<float> run(const picture& p, const crease::effect_view& effect, const crease::parameters& how,
+                       std::string_view image) {
     crease::vulkan::runner runner(device(), effect, static_cast<unsigned>(p.width),
                                   static_cast<unsigned>(p.height));
     for (const crease::resource& input : effect.resources) {
@@ -44,11 +44,7 @@ std::vector<float> run_for(const picture& p, const crease::effect_view& effect, 
         }
     }
     runner.run(how);
-    return runner.download(output);
-}
-
-std::vector<float> run(const picture& p, const crease::effect_view& effect, const crease::parameters& how) {
-    return run_for(p, effect, how, "visibility");
+    return runner.download(image);
 }
 
 std::vector<float> run(const picture& p, const std::string& recipe_text, double radius) {
@@ -64,6 +60,7 @@ settings settings_of(const crease::parameters& how) {
             .strength = how.strength,
             .exponent = how.exponent,
             .sharpness = how.sharpness,
+            .falloff = how.falloff,
             .frame = how.frame};
 }
 

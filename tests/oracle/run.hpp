@@ -7,6 +7,7 @@
 #include <crease/vulkan.hpp>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace oracle {
@@ -17,12 +18,9 @@ crease::vulkan::device& device();
 /// Parameters for a picture, with an effect's defaults.
 crease::parameters view_parameters(const picture& p, const crease::effect_view& effect, double radius);
 
-/// The visibility that an effect gives for a picture, row by row.
-std::vector<float> run(const picture& p, const crease::effect_view& effect, const crease::parameters& how);
-
-/// The numbers of another output of the effect, given by its resource's name.
-std::vector<float> run_for(const picture& p, const crease::effect_view& effect, const crease::parameters& how,
-                           const char* output);
+/// The image, else the visibility, that an effect gives for a picture, row by row.
+std::vector<float> run(const picture& p, const crease::effect_view& effect, const crease::parameters& how,
+                       std::string_view image = "visibility");
 
 /// The same for a recipe; its defaults and this radius.
 std::vector<float> run(const picture& p, const std::string& recipe_text, double radius);

@@ -62,5 +62,8 @@ inline std::vector<std::string> every_recipe() {
     for (const std::string& text :
          times(times(captures, names_of(crease::role::projection)), names_of(crease::role::dialect)))
         all.push_back(text);
+    // Noise touches the three and the filters, and nothing else.
+    for (const std::string& text : times(times(three, filter_chains()), names_of(crease::role::noise)))
+        all.push_back(text);
     return legal(std::move(all));
 }

@@ -101,16 +101,24 @@ std::string structs_for(const std::string& text) {
         const std::size_t begin = from.find(wanted);
         structs += from.substr(begin, from.find(ends, begin) + ends.size() - begin) + "\n";
     };
-    const bool cone = text.find("bent") != std::string::npos || text.find("_bend") != std::string::npos;
-    add("crease_result", cone ? "output/bent_cone_result.glsl" : "output/visibility_result.glsl", "};");
+    const auto holds = [&](std::string_view word) { return text.find(word) != std::string::npos; };
+    add("crease_result",
+        holds("bent") || holds("_bend") ? "output/bent_cone_result.glsl"
+        : holds("shade")                ? "output/shade_result.glsl"
+                                        : "output/visibility_result.glsl",
+        "};");
     add("crease_bend", "output/bent_cone_result.glsl", "};");
     add("crease_receiver", "core/receiver.glsl", "};");
     add("crease_gathered", "output/visibility_only.glsl", "};");
-    const bool grouped = text.find("layers.depths") != std::string::npos;
-    add("crease_layers", grouped ? "depth/stochastic_layers.glsl" : "depth/single_layer.glsl", "};");
-    const bool in_space =
-        text.find(".point") != std::string::npos || text.find("hemisphere") != std::string::npos;
-    add("crease_tap", in_space ? "sampler/point_tap.glsl" : "sampler/screen_tap.glsl", "};");
+    add("crease_layers", holds("layers.depths") ? "depth/stochastic_layers.glsl" : "depth/single_layer.glsl",
+        "};");
+    const bool in_space = holds(".point") || holds("sphere_points");
+    const bool lines = holds("tap.near") || holds("crease_line_clip");
+    add("crease_tap",
+        in_space ? "sampler/point_tap.glsl"
+        : lines  ? "sampler/line_tap.glsl"
+                 : "sampler/screen_tap.glsl",
+        "};");
     add("crease_pattern", "sampler/directions.glsl", "};");
     add("crease_estimate", "estimator/hbao.glsl", "};");
     const bool plus = text.find("contribution.rise") != std::string::npos;
@@ -151,15 +159,15 @@ TEST_CASE("each GLSL file alone") {
 
 TEST_CASE("an error names the file and its line") {
     const std::string wrong =
-        read(fs::path(CREASE_TEMPLATES) / "core/noise.glsl") + "float broken = nothing;\n";
+        read(fs::path(CREASE_TEMPLATES) / "noise/hashed_noise.glsl") + "float broken = nothing;\n";
     const crease::piece pieces[] = {{"interface",
                                      "#version 450\nconst int crease_view_index = 0;\n"
                                      "#define crease_parameters_place std140, set = 0, binding = 0\n"},
                                     crease::parameters_glsl,
-                                    {"core/noise.glsl", wrong},
+                                    {"noise/hashed_noise.glsl", wrong},
                                     {"end", "void main() {}\n"}};
     const long line = std::count(wrong.begin(), wrong.end(), '\n');
     CHECK_THROWS_WITH_AS(crease::spirv::compile(pieces, crease::spirv::shader_stage::compute),
-                         doctest::Contains(("core/noise.glsl:" + std::to_string(line)).c_str()),
+                         doctest::Contains(("noise/hashed_noise.glsl:" + std::to_string(line)).c_str()),
                          crease::spirv::error);
 }

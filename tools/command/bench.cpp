@@ -10,9 +10,11 @@
 #include "truth/truth.hpp"
 
 #include <fmt/format.h>
+#include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace crease::tools {
@@ -45,7 +47,17 @@ struct subject {
     camera from;
     gbuffer inputs;
     image hard, linear, quad, bent, mask;
+    gbuffer moved; ///< after the camera turned by half a pixel
 };
+
+/// The camera turned to the side, so that the middle of the picture moves by half a pixel.
+camera half_a_pixel_on(camera from) {
+    const glm::vec3 ahead = from.target - from.eye;
+    const glm::vec3 side = glm::normalize(glm::cross(ahead, from.up));
+    const float pixel = 2 * std::tan(glm::radians(from.vfov_deg) / 2) / static_cast<float>(from.height);
+    from.target += side * (glm::length(ahead) * pixel / 2);
+    return from;
+}
 
 /// The truth of a view, traced once where a directory keeps it.
 void add_truth(subject& view, const mesh& scene, const bench_options& options) {
@@ -100,14 +112,15 @@ std::vector<subject> load_subjects(vulkan::device& device, const std::string& pa
             continue;
         from.width = options.width;
         from.height = options.height;
-        subject view{std::filesystem::path(path).stem().string(),
-                     from,
-                     rasterise(device, scene, from, options.guard),
-                     {},
-                     {},
-                     {},
-                     {},
-                     {}};
+        subject view{.name = std::filesystem::path(path).stem().string(),
+                     .from = from,
+                     .inputs = rasterise(device, scene, from, options.guard),
+                     .hard = {},
+                     .linear = {},
+                     .quad = {},
+                     .bent = {},
+                     .mask = {},
+                     .moved = rasterise(device, scene, half_a_pixel_on(from), options.guard)};
         add_truth(view, scene, options);
         views.push_back(std::move(view));
     }
@@ -116,7 +129,7 @@ std::vector<subject> load_subjects(vulkan::device& device, const std::string& pa
 
 struct score {
     double milliseconds = 0, capture_milliseconds = 0;
-    double rmse_hard = 0, rmse_linear = 0, rmse_quad = 0, ssim = 0, bias = 0;
+    double rmse_hard = 0, rmse_linear = 0, rmse_quad = 0, ssim = 0, bias = 0, change = 0;
 };
 
 /// A recipe, and settings of its own behind it: RECIPE[@name=value,...].
@@ -186,19 +199,24 @@ nlohmann::ordered_json measure(vulkan::device& device, const std::string& text,
         const comparison linear = compare(made.visibility, view.linear, mask);
         const double share = 1.0 / static_cast<double>(views.size());
         const double hard = compare(made.visibility, view.hard, mask).rmse;
+        const frame after = run_effect(device, chosen, view.moved,
+                                       {.radius = view.from.ao_radius, .settings = settings, .repeats = 1});
+        const double change = compare(after.visibility, made.visibility, mask).mae;
         const double quad = compare(made.visibility, view.quad, mask).rmse;
         mean.rmse_hard += share * hard;
         mean.rmse_quad += share * quad;
         mean.rmse_linear += share * linear.rmse;
         mean.ssim += share * linear.ssim;
         mean.bias += share * linear.bias;
+        mean.change += share * change;
         each.push_back({{"scene", view.name},
                         {"camera", view.from.name},
                         {"rmse_hard", hard},
                         {"rmse_linear", linear.rmse},
                         {"rmse_quad", quad},
                         {"ssim", linear.ssim},
-                        {"bias", linear.bias}});
+                        {"bias", linear.bias},
+                        {"change", change}});
         add_particulars(each.back(), view, made);
     }
     return {{"recipe", text},
@@ -209,16 +227,18 @@ nlohmann::ordered_json measure(vulkan::device& device, const std::string& text,
             {"rmse_quad", mean.rmse_quad},
             {"ssim", mean.ssim},
             {"bias", mean.bias},
+            {"change", mean.change},
             {"passes", passes},
             {"views", each}};
 }
 
 void print(const nlohmann::ordered_json& row) {
     fmt::print(
-        "{:<58} {:7.2f} ms   RMSE hard {:.4f} linear {:.4f} quad {:.4f}   SSIM {:.4f}   bias {:+.4f}\n",
+        "{:<58} {:7.2f} ms   RMSE hard {:.4f} linear {:.4f} quad {:.4f}   SSIM {:.4f}   bias {:+.4f}   "
+        "change {:.4f}\n",
         row["recipe"].get<std::string>(), row["milliseconds"].get<double>(), row["rmse_hard"].get<double>(),
         row["rmse_linear"].get<double>(), row["rmse_quad"].get<double>(), row["ssim"].get<double>(),
-        row["bias"].get<double>());
+        row["bias"].get<double>(), row["change"].get<double>());
     if (row["capture_milliseconds"].get<double>() > 0)
         fmt::print("    {:<54} {:7.2f} ms\n", "captures", row["capture_milliseconds"].get<double>());
     for (const auto& v : row["views"])
@@ -246,8 +266,10 @@ void run(const bench_options& options) {
     const double fetch_loop = time_fetch_loop(device, views[0].inputs, options.repeats);
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     if (!options.as_json) {
-        fmt::print("{}, {} x {}, times on {} {}, errors the mean of {} views\n", device.name(), options.width,
-                   options.height, views[0].name, views[0].from.name, views.size());
+        fmt::print(
+            "{}, {} x {}, times on {} {}, errors the mean of {} views, change that of a pixel when the "
+            "camera turns by half of one\n",
+            device.name(), options.width, options.height, views[0].name, views[0].from.name, views.size());
         fmt::print("{:<58} {:7.2f} ms\n", "32 fetches of depth and no more", fetch_loop);
     }
     for (const std::string& text : options.recipes) {

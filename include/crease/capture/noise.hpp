@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/sampler/taps.hpp>
+#include <crease/noise/hashed_noise.hpp>
 
 namespace crease {
 

@@ -12,7 +12,7 @@ inline constexpr glsl_file simple_hash_glsl{
 
 /// Layer sampling: a coin for each sample.
 struct simple_hash {
-    static constexpr const glsl_file* helpers[] = {&noise_glsl, &fragment_noise_glsl};
+    static constexpr const glsl_file* helpers[] = {&hashed_noise_glsl, &fragment_noise_glsl};
     static constexpr part description{
         .kind = role::layer_sampling,
         .name = "simple_hash",

@@ -13,7 +13,7 @@ inline constexpr glsl_file stratified_glsl{
 
 /// Layer sampling: random subsets of an even size. The default.
 struct stratified {
-    static constexpr const glsl_file* helpers[] = {&noise_glsl, &fragment_noise_glsl};
+    static constexpr const glsl_file* helpers[] = {&hashed_noise_glsl, &fragment_noise_glsl};
     static constexpr resource table[] = {{.name = "subsets",
                                           .texels = format::r32_uint,
                                           .life = lifetime::constant,

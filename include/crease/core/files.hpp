@@ -25,6 +25,11 @@ inline constexpr glsl_file gather_glsl{
 #include <crease/core/gather.glsl>
 };
 
+inline constexpr glsl_file volume_glsl{
+    "core/volume.glsl",
+#include <crease/core/volume.glsl>
+};
+
 inline constexpr glsl_file visibility_glsl{
     "core/visibility.glsl",
 #include <crease/core/visibility.glsl>

@@ -12,7 +12,7 @@ inline constexpr glsl_file directions_glsl{
 };
 
 struct directions_part {
-    static constexpr const glsl_file* helpers[] = {&noise_glsl, &screen_tap_glsl};
+    static constexpr const glsl_file* helpers[] = {&screen_tap_glsl};
     static constexpr number takes[] = {
         {"count", 1, 64, 8, "directions, dividing the circle evenly"},
         {"steps", 1, 64, 4, "taps along each direction, evenly over the radius"},

@@ -13,9 +13,19 @@ CREASE_TRAIT(screen_taps, sampler,
 CREASE_TRAIT(ordered_taps, sampler,
              "the estimator needs taps in order along directions, which the sampler does not propose");
 
-/// Taps at points of view space.
+/// Taps at points of view space that fill a sphere or a hemisphere around the receiver; `float
+/// crease_volume_behind()` says which share of it a plane through the receiver fills.
 CREASE_TRAIT(point_taps, sampler,
              "the estimator needs taps at points in space, which the sampler does not propose");
+
+/// Taps along the rays of texels, each the chord of a sphere or a hemisphere around the receiver; with
+/// `crease_volume_behind` likewise.
+CREASE_TRAIT(line_taps, sampler,
+             "the estimator needs taps along lines through a volume, which the sampler does not propose");
+
+/// Taps at each texel of a window around the receiver's.
+CREASE_TRAIT(window_taps, sampler,
+             "the estimator needs taps at each texel of a window, which the sampler does not propose");
 
 inline constexpr glsl_file screen_tap_glsl{
     "sampler/screen_tap.glsl",
@@ -27,9 +37,14 @@ inline constexpr glsl_file point_tap_glsl{
 #include <crease/sampler/point_tap.glsl>
 };
 
-inline constexpr glsl_file noise_glsl{
-    "core/noise.glsl",
-#include <crease/core/noise.glsl>
+inline constexpr glsl_file line_tap_glsl{
+    "sampler/line_tap.glsl",
+#include <crease/sampler/line_tap.glsl>
+};
+
+inline constexpr glsl_file disk_lines_glsl{
+    "sampler/disk_lines.glsl",
+#include <crease/sampler/disk_lines.glsl>
 };
 
 }

@@ -23,6 +23,7 @@ layout(crease_parameters_place) uniform crease_parameters {
     uint crease_frame;
     float crease_opacity;
     float crease_front_reach;
+    float crease_falloff;
 } crease_given;
 
 // Read once, as not every compiler takes the reading out of a loop.
@@ -36,6 +37,7 @@ float crease_sharpness = crease_given.crease_sharpness;
 uint crease_frame = crease_given.crease_frame;
 float crease_opacity = crease_given.crease_opacity;
 float crease_front_reach = crease_given.crease_front_reach;
+float crease_falloff = crease_given.crease_falloff;
 #ifdef __cplusplus
 ")glsl"
 #endif

@@ -5,6 +5,9 @@ R"glsl("
 // The depth of what is not there: further than any radius, and finite, so that its square is too.
 const float crease_background = 1e15;
 
+// What crease_view.far_depth is of the distance of the far plane: see set_projection.
+const float crease_far_share = 0.999;
+
 // Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
 ivec2 crease_size(int divisor) { return (ivec2(crease_view.resolution) + divisor - 1) / divisor; }
 

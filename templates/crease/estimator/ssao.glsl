@@ -19,7 +19,7 @@ crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
-    // A point that its texel moved out of the hemisphere says nothing; so a plane is unoccluded at every slant.
+    // A point close to the tangent plane says nothing, as rounding may put it behind the surface.
     float height = dot(tap.point - receiver.position, receiver.normal);
     if (!(height > crease_bias * crease_radius))
         return crease_contribution(0.0, 0.0);

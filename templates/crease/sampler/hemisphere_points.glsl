@@ -29,6 +29,8 @@ int crease_direction_count() { return 1; }
 
 int crease_step_count() { return crease_hemisphere_points_count; }
 
+float crease_volume_behind() { return 0.0; }
+
 vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
@@ -41,7 +43,10 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     vec3 point = receiver.position + (crease_radius * pattern.distance) *
         (pattern.tangent * sideways.x + pattern.bitangent * sideways.y + receiver.normal * sqrt(1.0 - share));
     vec2 texel = floor(crease_texel_at(point)) + 0.5;
-    return crease_tap(texel, point.z < 0.0 && crease_inside(texel), crease_view_position(texel, -point.z));
+    vec3 moved = crease_view_position(texel, -point.z);
+    // A point that its texel moved out of the hemisphere says nothing; so a plane is unoccluded at every slant.
+    bool above = dot(moved - receiver.position, receiver.normal) > 0.0;
+    return crease_tap(texel, above && point.z < 0.0 && crease_inside(texel), moved);
 }
 #ifdef __cplusplus
 ")glsl"

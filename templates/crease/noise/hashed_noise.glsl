@@ -4,7 +4,7 @@ R"glsl("
 // SPDX-License-Identifier: MIT
 // Two numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
 
-uvec3 crease_noise_hash(uvec3 v) {
+uvec3 crease_hashed_noise_mix(uvec3 v) {
     v = v * 1664525u + 1013904223u;
     v += v.yzx * v.zxy;
     v ^= v >> 16u;
@@ -13,7 +13,7 @@ uvec3 crease_noise_hash(uvec3 v) {
 }
 
 vec2 crease_noise(ivec2 pixel) {
-    return vec2(crease_noise_hash(uvec3(uvec2(pixel), crease_frame)).xy >> 8u) * (1.0 / 16777216.0);
+    return vec2(crease_hashed_noise_mix(uvec3(uvec2(pixel), crease_frame)).xy >> 8u) * (1.0 / 16777216.0);
 }
 #ifdef __cplusplus
 ")glsl"

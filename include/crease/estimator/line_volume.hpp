@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/core/files.hpp>
+#include <crease/depth/layers.hpp>
+#include <crease/sampler/taps.hpp>
+
+namespace crease {
+
+inline constexpr glsl_file line_volume_glsl{
+    "estimator/line_volume.glsl",
+#include <crease/estimator/line_volume.glsl>
+};
+
+/// Estimator: volumetric obscurance by lines. Of a sphere it is the share beyond the half that a plane fills,
+/// doubled.
+struct line_volume {
+    using needs = traits<line_taps, depth_layers>;
+    static constexpr const glsl_file* helpers[] = {&volume_glsl};
+    static constexpr setting reads[] = {
+        {"falloff", &parameters::falloff, 1, 0.01f, 100,
+         "distance over which a surface before the volume ceases to count, in radii"},
+        {"strength", &parameters::strength, 1, 0, 16, "factor of the occlusion"},
+        {"exponent", &parameters::exponent, 1, 0.01f, 16, "power of the visibility"},
+    };
+    static constexpr part description{
+        .kind = role::estimator,
+        .name = "line_volume",
+        .summary = "the share of the volume around the receiver that is filled, by lines",
+        .source = "statistical-volumetric-obscurance 2015, 2.3, A.2",
+        .glsl = &line_volume_glsl,
+        .helpers = helpers,
+        .settings = reads,
+        .needs = needs::list,
+        .fold = &fold_max_glsl,
+    };
+};
+
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/core/files.hpp>
+#include <crease/depth/layers.hpp>
+#include <crease/sampler/taps.hpp>
+
+namespace crease {
+
+inline constexpr glsl_file point_volume_glsl{
+    "estimator/point_volume.glsl",
+#include <crease/estimator/point_volume.glsl>
+};
+
+/// Estimator: volumetric obscurance by points, as the first SSAO. Of a sphere it is the share beyond the half
+/// that a plane fills, doubled.
+struct point_volume {
+    using needs = traits<point_taps, depth_layers>;
+    static constexpr const glsl_file* helpers[] = {&volume_glsl};
+    static constexpr setting reads[] = {
+        {"bias", &parameters::bias, 0.01f, 0, 1, "how far a point must be behind a surface, in radii"},
+        {"falloff", &parameters::falloff, 1, 0.01f, 100,
+         "distance over which a surface before the volume ceases to count, in radii"},
+        {"strength", &parameters::strength, 1, 0, 16, "factor of the occlusion"},
+        {"exponent", &parameters::exponent, 1, 0.01f, 16, "power of the visibility"},
+    };
+    static constexpr part description{
+        .kind = role::estimator,
+        .name = "point_volume",
+        .summary = "the share of the volume around the receiver that is filled, by points",
+        .source = "statistical-volumetric-obscurance 2015, 2.2, (4.1), A.2",
+        .glsl = &point_volume_glsl,
+        .helpers = helpers,
+        .settings = reads,
+        .needs = needs::list,
+        .fold = &fold_max_glsl,
+    };
+};
+
+}

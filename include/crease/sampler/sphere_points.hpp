@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/sampler/taps.hpp>
+
+namespace crease {
+
+inline constexpr glsl_file sphere_points_glsl{
+    "sampler/sphere_points.glsl",
+#include <crease/sampler/sphere_points.glsl>
+};
+
+struct sphere_points_part {
+    static constexpr const glsl_file* helpers[] = {&point_tap_glsl};
+    static constexpr number takes[] = {{"count", 1, 256, 16, "points in the sphere"}};
+    static constexpr part description{
+        .kind = role::sampler,
+        .name = "sphere_points",
+        .summary = "points spread evenly through the sphere around the receiver",
+        .source = "statistical-volumetric-obscurance 2015, 2.2",
+        .glsl = &sphere_points_glsl,
+        .helpers = helpers,
+        .numbers = takes,
+        .offers = traits<point_taps>::list,
+    };
+};
+
+/// Sampler: `Count` points in the sphere of the radius.
+template <int Count = 16>
+struct sphere_points : sphere_points_part {
+    static constexpr int numbers[] = {Count};
+};
+
+}

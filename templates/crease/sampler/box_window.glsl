@@ -1,0 +1,33 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// Each texel of a square around the receiver's: the loops of unsharp-mask-ssao's listing.
+
+struct crease_pattern {
+    float row; // texels, from the receiver
+};
+
+int crease_box_window_half() { return crease_box_window_size / 2; }
+
+crease_pattern crease_pattern_begin(crease_receiver receiver) { return crease_pattern(0.0); }
+
+int crease_direction_count() { return 2 * crease_box_window_half(); }
+
+int crease_step_count() { return 2 * crease_box_window_half(); }
+
+vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) {
+    pattern.row = float(direction - crease_box_window_half());
+    return vec2(0.0);
+}
+
+crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
+    vec2 texel = receiver.texel + vec2(float(step - crease_box_window_half()), pattern.row);
+    // The listing counts both edges in: a texel just past the far one reads the last.
+    vec2 middle = 0.5 * crease_view.resolution;
+    bool inside = all(lessThanEqual(abs(texel - 0.5 - middle), middle + crease_view.guard));
+    return crease_tap(texel, inside);
+}
+#ifdef __cplusplus
+")glsl"
+#endif

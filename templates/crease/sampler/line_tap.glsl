@@ -1,0 +1,13 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// A tap along the ray through the centre of a texel, where that passes through the volume around the receiver.
+struct crease_tap {
+    vec2 texel;
+    bool inside;     // whether the texel is in the picture
+    float near, far; // depths where the ray enters and leaves; near >= far where it misses
+};
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,45 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// Points spread evenly through the sphere around the receiver, turned about the direction to the eye and their
+// distances shifted by the noise of the pixel: statistical-volumetric-obscurance 2.2 and (4.1).
+
+vec2 crease_noise(ivec2 pixel);
+vec3 crease_view_position(vec2 texel, float depth);
+vec2 crease_texel_at(vec3 position);
+
+struct crease_pattern {
+    vec2 direction; // unit, on the disk that faces the eye
+    float volume;   // of the sphere through the point, as a share
+};
+
+crease_pattern crease_pattern_begin(crease_receiver receiver) {
+    vec2 noise = crease_noise(receiver.pixel);
+    float angle = 6.28318531 * noise.x;
+    return crease_pattern(vec2(cos(angle), sin(angle)), noise.y);
+}
+
+int crease_direction_count() { return 1; }
+
+int crease_step_count() { return crease_sphere_points_count; }
+
+float crease_volume_behind() { return 0.5; }
+
+vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
+
+crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
+    const vec2 golden_angle = vec2(-0.73736888, 0.67549029);
+    pattern.direction = vec2(golden_angle.x * pattern.direction.x - golden_angle.y * pattern.direction.y,
+                             golden_angle.y * pattern.direction.x + golden_angle.x * pattern.direction.y);
+    pattern.volume = fract(pattern.volume + 0.75487767);
+    float height = 1.0 - (2.0 * float(step) + 1.0) / float(crease_sphere_points_count);
+    vec2 sideways = pattern.direction * sqrt(1.0 - height * height);
+    vec3 point = receiver.position + (crease_radius * pow(pattern.volume, 1.0 / 3.0)) *
+        (receiver.across * sideways.x + receiver.up * sideways.y + receiver.to_eye * height);
+    vec2 texel = floor(crease_texel_at(point)) + 0.5;
+    return crease_tap(texel, point.z < 0.0 && crease_inside(texel), crease_view_position(texel, -point.z));
+}
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// The unsharp mask against its paper's listing, pixel by pixel. The device depth is the same on both sides;
+// the shader makes linear depth of it in single precision, which at the far end of the picture leaves 1e-5 of
+// linearised depth, and times the factor 20 2e-4 of shade. A neighbour whose difference is the threshold to
+// within that may fall on either side of it.
+#include "run.hpp"
+#include "volume.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace {
+
+using oracle::lens;
+using kind = oracle::surface::kind;
+
+constexpr double near_plane = 0.1, far_plane = 50; // of oracle::make_projection
+constexpr double rounding = 1e-5;                  // of linearised depth
+
+std::vector<float> shades(const oracle::picture& p, const std::string& text, float threshold,
+                          std::string_view image = "shade") {
+    const crease::recipe chosen{std::string_view(text)};
+    REQUIRE_MESSAGE(static_cast<bool>(chosen), chosen.error());
+    const auto composed = std::make_unique<crease::composition>(chosen);
+    crease::parameters how = oracle::view_parameters(p, composed->view(), 1);
+    how.threshold = threshold;
+    return oracle::run(p, composed->view(), how, image);
+}
+
+std::vector<double> listing(const oracle::picture& p, int kernel_dimension, double threshold) {
+    std::vector<double> all;
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x)
+            all.push_back(p.background(x, y) ? 0
+                                             : oracle::unsharp_shade(p, x, y, kernel_dimension, near_plane,
+                                                                     far_plane, threshold, 20));
+    return all;
+}
+
+/// Checks every pixel against the listing, with the threshold as it is and as rounding may move it.
+void check_listing(const oracle::picture& p, const std::vector<float>& shade, int kernel_dimension,
+                   double threshold) {
+    const std::vector<double> expected = listing(p, kernel_dimension, threshold);
+    const std::vector<double> fewer = listing(p, kernel_dimension, threshold - rounding);
+    const std::vector<double> more = listing(p, kernel_dimension, threshold + rounding);
+    std::size_t apart = 0, on_threshold = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        const auto [least, most] = std::minmax({expected[i], fewer[i], more[i]});
+        apart += !(shade[i] > least - 20 * rounding && shade[i] < most + 20 * rounding);
+        on_threshold += most - least > 20 * rounding;
+    }
+    CHECK(apart == 0);
+    CHECK(on_threshold < expected.size() / 20);
+}
+
+}
+
+TEST_CASE("the unsharp mask is the listing's at every pixel, also at the borders") {
+    for (int size : {2, 15, 40})
+        for (lens seen_by : {lens::standard, lens::off_centre})
+            for (double threshold : {0.02, 0.1, 1.0}) { // of figure 5, of figure 4, and none
+                CAPTURE(size);
+                CAPTURE(threshold);
+                const oracle::picture p = oracle::draw(oracle::still_life(), seen_by, 97, 61);
+                check_listing(
+                    p,
+                    shades(p, "box_window:" + std::to_string(size) + "/single_layer/unsharp_mask/shade",
+                           static_cast<float>(threshold)),
+                    size, threshold);
+            }
+}
+
+TEST_CASE("visibility is one less the shade, without its highlights") {
+    const oracle::picture p = oracle::draw(oracle::still_life(), lens::standard, 97, 61);
+    const std::string text = "box_window:15/single_layer/unsharp_mask";
+    const std::vector<float> shade = shades(p, text + "/shade", 0.02f);
+    const std::vector<float> dark_only = shades(p, text + "/shade:0", 0.02f);
+    const std::vector<float> visibility = shades(p, text, 0.02f, "visibility");
+    const std::vector<float> beside_shade = shades(p, text + "/shade", 0.02f, "visibility");
+    bool highlight = false;
+    for (std::size_t i = 0; i < shade.size(); ++i) {
+        highlight = highlight || shade[i] < -0.01f;
+        CHECK(dark_only[i] == std::max(shade[i], 0.0f));
+        CHECK(std::abs(visibility[i] - std::clamp(1 - shade[i], 0.0f, 1.0f)) <= 0.6f / 255);
+        CHECK(beside_shade[i] == visibility[i]);
+    }
+    CHECK(highlight);
+}
+
+TEST_CASE("the window stays in the picture: a facing plane has no shade, to the border") {
+    const oracle::picture p = oracle::draw({{kind::plane, {0, 0, -3}, {0, 0, 1}}}, lens::standard, 50, 30);
+    for (float shade : shades(p, "box_window:40/single_layer/unsharp_mask/shade", 0.02f))
+        CHECK(std::abs(shade) < 1e-5f);
+}
+
+TEST_CASE("reversed and linear depth give the same shade, and without a far plane there is none") {
+    const std::string text = "box_window:15/single_layer/unsharp_mask/shade";
+    const auto scene = [](lens seen_by) { return oracle::draw(oracle::still_life(), seen_by, 97, 61); };
+    check_listing(scene(lens::standard), shades(scene(lens::reversed), text, 0.02f), 15, 0.02);
+    check_listing(scene(lens::standard), shades(scene(lens::standard), text + "/linear_depth", 0.02f), 15,
+                  0.02);
+    for (float shade : shades(scene(lens::infinite), text, 0.02f))
+        CHECK(std::abs(shade) < 1e-6f);
+}
+
+TEST_CASE("the shade goes through the filters") {
+    const oracle::picture p = oracle::draw({{kind::plane, {0, 0, -3}, {0, 0, 1}}}, lens::standard, 50, 30);
+    for (const char* filters : {"/bilateral", "/upsample:2", "/bilateral/upsample:4"})
+        for (float shade :
+             shades(p, std::string("box_window:15/single_layer/unsharp_mask/shade") + filters, 0.02f))
+            CHECK(std::abs(shade) < 1e-5f);
+}

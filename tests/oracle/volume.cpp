@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "volume.hpp"
+
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace oracle {
+
+namespace {
+
+/// How a surface at this depth counts: fully up to the radius before the receiver, and then less and less.
+double reach(const receiver& r, const settings& s, double depth) {
+    const double height = -r.position.z - depth;
+    if (height <= s.radius)
+        return 1;
+    return 1 - std::min(1.0, (height - s.radius) / (s.falloff * s.radius));
+}
+
+double beyond_a_plane(double filled, double whole, bool hemisphere) {
+    if (whole == 0)
+        return 0;
+    return hemisphere ? filled / whole : std::max(0.0, 2 * filled / whole - 1);
+}
+
+double surface_depth(const picture& p, int x, int y) {
+    return p.background(x, y) ? 1e15 : -p.position(x, y).z;
+}
+
+}
+
+std::vector<tap> sphere_points(const picture& p, const receiver& r, const settings& s, int count) {
+    const glm::dvec2 random = noise(r.pixel_x, r.pixel_y, s);
+    glm::dvec3 across, up;
+    axes(p, r, across, up);
+    const double golden_angle = glm::pi<double>() * (3 - std::sqrt(5.0));
+    std::vector<tap> points;
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2 * glm::pi<double>() * random.x + golden_angle * (i + 1);
+        const double distance = s.radius * std::cbrt(std::fmod(random.y + 0.75487767 * (i + 1), 1.0));
+        const double cosine = 1 - (2 * i + 1.0) / count, sine = std::sqrt(1 - cosine * cosine);
+        const glm::dvec3 point = r.position + distance * (sine * std::cos(angle) * across +
+                                                          sine * std::sin(angle) * up + cosine * r.to_eye);
+        if (!(point.z < 0))
+            continue;
+        const glm::dvec2 at = p.project(point);
+        tap t{static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)), {}};
+        if (!p.contains(t.x, t.y))
+            continue;
+        const glm::dvec4 clip = p.projection * glm::dvec4(point, 1);
+        t.point = p.unproject({t.x + 0.5, t.y + 0.5}, clip.z / clip.w);
+        points.push_back(t);
+    }
+    return points;
+}
+
+std::vector<line> disk_lines(const picture& p, const receiver& r, const settings& s, int count,
+                             bool hemisphere) {
+    const glm::dvec2 random = noise(r.pixel_x, r.pixel_y, s);
+    glm::dvec3 across, up;
+    axes(p, r, across, up);
+    const double golden_angle = glm::pi<double>() * (3 - std::sqrt(5.0));
+    std::vector<line> lines;
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2 * glm::pi<double>() * random.x + golden_angle * (i + 1);
+        const double distance = s.radius * std::sqrt((i + random.y) / count);
+        const glm::dvec2 along =
+            texel_offset(p, r, distance * (std::cos(angle) * across + std::sin(angle) * up));
+        line l{static_cast<int>(std::floor(r.x + 0.5 + along.x)),
+               static_cast<int>(std::floor(r.y + 0.5 + along.y)), 0, 0};
+        if (!p.contains(l.x, l.y))
+            continue;
+        glm::dvec3 origin, ray;
+        p.ray({l.x + 0.5, l.y + 0.5}, origin, ray);
+        // The ray through a sphere, by the quadratic equation.
+        const glm::dvec3 from = origin - r.position;
+        const double b = glm::dot(from, ray), c = glm::dot(from, from) - s.radius * s.radius;
+        if (b * b > c) {
+            double enter = -b - std::sqrt(b * b - c), leave = -b + std::sqrt(b * b - c);
+            if (hemisphere) {
+                const double plane = -glm::dot(from, r.normal) / glm::dot(ray, r.normal);
+                if (glm::dot(ray, r.normal) < 0)
+                    leave = std::min(leave, plane);
+                else
+                    enter = std::max(enter, plane);
+            }
+            l.near = -(origin + enter * ray).z;
+            l.far = -(origin + leave * ray).z;
+        }
+        lines.push_back(l);
+    }
+    return lines;
+}
+
+double point_volume(const picture& p, const receiver& r, const settings& s, const std::vector<tap>& points,
+                    bool hemisphere) {
+    double filled = 0, whole = 0;
+    for (const tap& t : points) {
+        if (hemisphere && !(glm::dot(t.point - r.position, r.normal) > 0))
+            continue;
+        const double depth = surface_depth(p, t.x, t.y);
+        whole += 1;
+        if (depth < -t.point.z - s.bias * s.radius)
+            filled += reach(r, s, depth);
+    }
+    return beyond_a_plane(filled, whole, hemisphere);
+}
+
+double line_volume(const picture& p, const receiver& r, const settings& s, const std::vector<line>& lines,
+                   bool hemisphere) {
+    double filled = 0, whole = 0;
+    for (const line& l : lines) {
+        if (!(l.far > l.near))
+            continue;
+        const double depth = surface_depth(p, l.x, l.y);
+        whole += l.far - l.near;
+        filled += reach(r, s, depth) * (l.far - std::clamp(depth, l.near, l.far));
+    }
+    return beyond_a_plane(filled, whole, hemisphere);
+}
+
+double unsharp_shade(const picture& p, int i, int j, int kernel_dimension, double near, double far,
+                     double threshold, double factor) {
+    const auto linearize_depth = [&](double u, double v) {
+        const int x = std::min(static_cast<int>(std::floor(u * p.width + 1e-9)), p.width - 1);
+        const int y = std::min(static_cast<int>(std::floor(v * p.height + 1e-9)), p.height - 1);
+        const double z = p.device[p.index(x, y)];
+        return (2.0 * near) / (far + near - z * (far - near));
+    };
+    double sum = 0, neighbour_count = 0;
+    const int half = kernel_dimension / 2;
+    for (int x = i - half; x < i + half; x++)
+        for (int y = j - half; y < j + half; y++) {
+            const double u = static_cast<double>(x) / p.width, v = static_cast<double>(y) / p.height;
+            if (u >= 0.0 && u <= 1.0 && v >= 0.0 && v <= 1.0 &&
+                std::abs(linearize_depth((i + 0.5) / p.width, (j + 0.5) / p.height) - linearize_depth(u, v)) <
+                    threshold) {
+                sum += linearize_depth(u, v);
+                neighbour_count++;
+            }
+        }
+    sum = sum / neighbour_count;
+    return factor * (linearize_depth((i + 0.5) / p.width, (j + 0.5) / p.height) - std::max(0.0, sum));
+}
+
+}

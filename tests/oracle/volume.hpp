@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Volumetric obscurance and the unsharp mask as the papers state them, in double precision and apart from the
+// shaders.
+#pragma once
+
+#include "effect.hpp"
+
+namespace oracle {
+
+/// Where the ray of a texel passes through the volume of a receiver: depths, entering and leaving.
+struct line {
+    int x, y;
+    double near, far;
+};
+
+/// The points of a receiver, those off the picture left out.
+std::vector<tap> sphere_points(const picture& p, const receiver& r, const settings& s, int count);
+
+/// The lines of a receiver, those off the picture left out; through the sphere, or the half of it that the
+/// normal points to.
+std::vector<line> disk_lines(const picture& p, const receiver& r, const settings& s, int count,
+                             bool hemisphere);
+
+/// Occlusion in [0, 1] by (4.1) with the fall-off of A.2: the filled share of the volume, of a sphere the
+/// excess over the half that a plane fills.
+double point_volume(const picture& p, const receiver& r, const settings& s, const std::vector<tap>& points,
+                    bool hemisphere);
+double line_volume(const picture& p, const receiver& r, const settings& s, const std::vector<line>& lines,
+                   bool hemisphere);
+
+/// The shade of a texel, to the letter of the listing, on a depth buffer that is clamped to its edge.
+/// @param near,far the planes of the projection
+double unsharp_shade(const picture& p, int i, int j, int kernel_dimension, double near, double far,
+                     double threshold, double factor);
+
+}

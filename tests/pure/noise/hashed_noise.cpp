@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#include <crease/crease.hpp>
+
+#include "text.hpp"
+
+#include <doctest/doctest.h>
+
+TEST_CASE("hashed_noise is the default") {
+    using effect = crease::effect<crease::directions<>, crease::single_layer, crease::hbao>;
+    CHECK_FALSE(piece_of(effect::passes[0], "noise/hashed_noise.glsl").empty());
+    CHECK(crease::recipe("directions/single_layer/hbao/hashed_noise"));
+}
