@@ -32,13 +32,11 @@ struct fixed_text {
     bool cut = false;
 
     constexpr fixed_text& operator<<(std::string_view text) {
-        if (text.size() > Capacity - count) {
-            text = text.substr(0, Capacity - count);
-            cut = true;
-        }
         // Plain indices: a compiler evaluates this for each character of an interface.
         const char* from = text.data();
-        const std::size_t size = text.size(), at = count;
+        const std::size_t at = count, room = Capacity - at;
+        const std::size_t size = text.size() < room ? text.size() : room;
+        cut = cut || text.size() > room;
         for (std::size_t i = 0; i < size; ++i)
             characters[at + i] = from[i];
         count = at + size;

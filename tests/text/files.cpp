@@ -83,8 +83,8 @@ std::string constants() {
         for (const crease::number& n : p->numbers)
             text += "const int crease_" + std::string(p->name) + "_" + std::string(n.name) + " = " +
                     std::to_string(n.fallback) + ";\n";
-        for (const crease::step& s : p->steps.first(p->steps.empty() ? 0 : 1))
-            for (const crease::step_constant& c : s.constants)
+        if (!p->steps.empty())
+            for (const crease::step_constant& c : p->steps[0].constants)
                 text += "const int crease_" + std::string(p->name) + "_" + std::string(c.name) + " = 0;\n";
     }
     return text;
