@@ -229,22 +229,33 @@ constexpr bool assert_needs() {
         return true;
 }
 
-/// Asserts every rule on the parts of an effect; true where all hold.
+/// Asserts every rule on the parts of an effect, each with the types that it is about.
 template <class Sampler, class DepthSource, class Estimator, class... Rest>
+constexpr void assert_each_rule() {
+    if constexpr (assert_sampler_first<has_role<Sampler, role::sampler>, Sampler>() &&
+                  assert_depth_source_second<has_role<DepthSource, role::depth_source>, DepthSource>() &&
+                  assert_estimator_third<has_role<Estimator, role::estimator>, Estimator>() &&
+                  (assert_rest_beside_three<may_follow<Rest>, Rest>() && ...) &&
+                  assert_few_enough<(3 + sizeof...(Rest) <= most_chosen), Rest...>())
+        static_cast<void>(
+            assert_each<Sampler, DepthSource, Estimator, Rest...>() &&
+            (assert_layers_captured<is_wanted<Rest, DepthSource>, Rest, DepthSource>() && ...) &&
+            assert_needs<Sampler, Sampler, DepthSource, Estimator>() &&
+            assert_needs<DepthSource, Sampler, DepthSource, Estimator>() &&
+            assert_needs<Estimator, Sampler, DepthSource, Estimator>() &&
+            (assert_needs<Rest, Sampler, DepthSource, Estimator>() && ...));
+}
+
+/// Whether parts make an effect; where they do not, an assertion says why. The rules are checked on values
+/// first, as a template for each rule and part costs a compiler more than all else of an effect.
+template <class... Parts>
 constexpr bool assert_all() {
-    if constexpr (asserted_part<Sampler>() && asserted_part<DepthSource>() && asserted_part<Estimator>() &&
-                  (asserted_part<Rest>() && ...)) {
-        if constexpr (assert_sampler_first<has_role<Sampler, role::sampler>, Sampler>() &&
-                      assert_depth_source_second<has_role<DepthSource, role::depth_source>, DepthSource>() &&
-                      assert_estimator_third<has_role<Estimator, role::estimator>, Estimator>() &&
-                      (assert_rest_beside_three<may_follow<Rest>, Rest>() && ...) &&
-                      assert_few_enough<(3 + sizeof...(Rest) <= most_chosen), Rest...>())
-            return assert_each<Sampler, DepthSource, Estimator, Rest...>() &&
-                   (assert_layers_captured<is_wanted<Rest, DepthSource>, Rest, DepthSource>() && ...) &&
-                   assert_needs<Sampler, Sampler, DepthSource, Estimator>() &&
-                   assert_needs<DepthSource, Sampler, DepthSource, Estimator>() &&
-                   assert_needs<Estimator, Sampler, DepthSource, Estimator>() &&
-                   (assert_needs<Rest, Sampler, DepthSource, Estimator>() && ...);
+    if constexpr ((asserted_part<Parts>() && ...)) {
+        constexpr choice chosen[] = {choice_of<Parts>()...};
+        if constexpr (!check({chosen, sizeof...(Parts)}))
+            return true;
+        else
+            assert_each_rule<Parts...>();
     }
     return false;
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace crease {
@@ -38,9 +39,34 @@ constexpr device_features required_features(const plan& p) {
 namespace joining {
 
 template <std::size_t Size>
-struct block {
-    char characters[Size];
+struct characters {
+    char items[Size];
 };
+
+template <std::size_t Size>
+constexpr characters<Size> copy(const char* from) {
+    characters<Size> all{};
+    for (std::size_t i = 0; i < Size; ++i)
+        all.items[i] = from[i];
+    return all;
+}
+
+// A block is text in few items, as a compiler copies and checks the items of constants one by one.
+#pragma pack(push, 1)
+template <std::size_t Size, std::size_t Words = Size / 8, std::size_t Rest = Size % 8>
+struct block {
+    std::uint64_t words[Words];
+    char rest[Rest];
+};
+template <std::size_t Size, std::size_t Words>
+struct block<Size, Words, 0> {
+    std::uint64_t words[Words];
+};
+template <std::size_t Size, std::size_t Rest>
+struct block<Size, 0, Rest> {
+    char rest[Rest];
+};
+#pragma pack(pop)
 
 // A block per place, as a type may be a base only once.
 template <std::size_t, class Block>
@@ -48,14 +74,6 @@ struct placed : Block {};
 
 template <class... Blocks>
 struct joined : Blocks... {};
-
-template <std::size_t Size>
-constexpr block<Size> copy(const char* from) {
-    block<Size> b{};
-    for (std::size_t i = 0; i < Size; ++i)
-        b.characters[i] = from[i];
-    return b;
-}
 
 /// The list without its unused places.
 template <std::size_t Count, class Item, std::size_t Capacity>
@@ -68,7 +86,8 @@ constexpr std::array<Item, Count> shrink(const fixed_list<Item, Capacity>& list)
 
 // Each file's characters are copied once, however many programs hold them.
 template <const glsl_file* File>
-inline constexpr auto block_of = copy<File->text.size()>(File->text.data());
+inline constexpr auto
+    block_of = std::bit_cast<block<File->text.size()>>(copy<File->text.size()>(File->text.data()));
 
 }
 
@@ -86,7 +105,7 @@ class effect {
         if constexpr (legal) {
             const choice chosen[] = {choice_of<Sampler>(), choice_of<DepthSource>(), choice_of<Estimator>(),
                                      choice_of<Rest>()...};
-            return make_plan(chosen);
+            return make_plan({chosen, 3 + sizeof...(Rest)});
         } else {
             return plan{}; // no second error after the assertion's
         }
@@ -94,72 +113,86 @@ class effect {
 
     static constexpr plan planned = make();
 
-    static constexpr std::size_t pass_count = planned.passes.size();
+    static constexpr std::size_t capture_count = planned.captures.size(), pass_count = planned.passes.size();
 
-    template <const auto* Planned>
-    static constexpr program draft = write_program(planned, *Planned);
-
-    template <const auto* Planned>
-    static constexpr auto
-        interface_block = joining::copy<draft<Planned>.interface.count>(draft<Planned>.interface.characters);
-
-    template <const auto* Planned>
-    static constexpr glsl_file interface_piece{
-        "interface", std::string_view(interface_block<Planned>.characters, draft<Planned>.interface.count)};
-
-    template <const auto* Planned, std::size_t... I>
-    static constexpr std::array<piece, 1 + sizeof...(I)> list_pieces(std::index_sequence<I...>) {
-        return {interface_piece<Planned>, *draft<Planned>.files[I]...};
+    /// Programs are counted over the captures and then the passes.
+    template <std::size_t Program>
+    static constexpr const auto& planned_program() {
+        if constexpr (Program < capture_count)
+            return planned.captures[Program];
+        else
+            return planned.passes[Program - capture_count];
     }
 
-    template <const auto* Planned>
-    static constexpr auto
-        pieces_of = list_pieces<Planned>(std::make_index_sequence<draft<Planned>.files.size()>{});
+    template <std::size_t Program>
+    static constexpr program draft = write_program(planned, planned_program<Program>());
 
-    template <const auto* Planned>
-    static constexpr auto
-        bindings_of = joining::shrink<draft<Planned>.bindings.size()>(draft<Planned>.bindings);
+    template <std::size_t Program>
+    static constexpr auto interface_characters =
+        joining::copy<draft<Program>.interface.count>(draft<Program>.interface.characters);
 
-    template <const auto* Planned>
+    template <std::size_t Program>
+    static constexpr glsl_file interface_piece{
+        "interface", std::string_view(interface_characters<Program>.items, draft<Program>.interface.count)};
+
+    template <std::size_t Program, std::size_t... I>
+    static constexpr std::array<piece, 1 + sizeof...(I)> list_pieces(std::index_sequence<I...>) {
+        return {interface_piece<Program>, *draft<Program>.files[I]...};
+    }
+
+    template <std::size_t Program>
     static constexpr auto
-        constants_of = joining::shrink<draft<Planned>.constants.size()>(draft<Planned>.constants);
+        pieces_of = list_pieces<Program>(std::make_index_sequence<draft<Program>.files.size()>{});
+
+    template <std::size_t Program>
+    static constexpr auto
+        bindings_of = joining::shrink<draft<Program>.bindings.size()>(draft<Program>.bindings);
+
+    template <std::size_t Program>
+    static constexpr auto
+        constants_of = joining::shrink<draft<Program>.constants.size()>(draft<Program>.constants);
 
     /// A pass or a capture with its lists.
-    template <const auto* Planned>
+    template <std::size_t Program>
     static constexpr auto described() {
-        auto whole = describe(planned, *Planned);
-        whole.pieces = pieces_of<Planned>;
-        whole.bindings = bindings_of<Planned>;
-        whole.constants = constants_of<Planned>;
+        auto whole = describe(planned, planned_program<Program>());
+        whole.pieces = pieces_of<Program>;
+        whole.bindings = bindings_of<Program>;
+        whole.constants = constants_of<Program>;
         return whole;
     }
 
-    template <const auto* Planned, std::size_t... I>
+    // The operator behind std::bit_cast, as a call of that function copies its argument.
+    template <std::size_t Program, std::size_t... I>
     static constexpr auto join(std::index_sequence<I...>) {
         using namespace joining;
-        using whole = joined<placed<0, block<draft<Planned>.interface.count>>,
-                             placed<1 + I, block<draft<Planned>.files[I]->text.size()>>...,
-                             placed<1 + sizeof...(I), block<1>>>;
-        return std::bit_cast<std::array<char, sizeof(whole)>>(
-            whole{{interface_block<Planned>}, {block_of<draft<Planned>.files[I]>}..., {block<1>{{'\0'}}}});
+        using interface_block = block<draft<Program>.interface.count>;
+        using whole =
+            joined<placed<0, interface_block>, placed<1 + I, block<draft<Program>.files[I]->text.size()>>...,
+                   placed<1 + sizeof...(I), block<1>>>;
+        using text = std::array<char, sizeof(whole)>;
+        return __builtin_bit_cast(text,
+                                  (whole{{__builtin_bit_cast(interface_block, interface_characters<Program>)},
+                                         {block_of<draft<Program>.files[I]>}...,
+                                         {block<1>{{'\0'}}}}));
     }
 
-    template <const auto* Planned>
-    static constexpr auto text = join<Planned>(std::make_index_sequence<draft<Planned>.files.size()>{});
+    template <std::size_t Program>
+    static constexpr auto text = join<Program>(std::make_index_sequence<draft<Program>.files.size()>{});
 
     template <std::size_t... I>
     static constexpr std::array<pass, pass_count> list_passes(std::index_sequence<I...>) {
-        return {described<&planned.passes.items[I]>()...};
+        return {described<capture_count + I>()...};
     }
 
     template <std::size_t... I>
     static constexpr std::array<capture, sizeof...(I)> list_captures(std::index_sequence<I...>) {
-        return {described<&planned.captures.items[I]>()...};
+        return {described<I>()...};
     }
 
 public:
     /// What the host's geometry pass fills before the passes run; none for most effects.
-    static constexpr auto captures = list_captures(std::make_index_sequence<planned.captures.size()>{});
+    static constexpr auto captures = list_captures(std::make_index_sequence<capture_count>{});
 
     /// The passes in the order of execution.
     static constexpr std::array<pass, pass_count> passes =
@@ -177,13 +210,12 @@ public:
 
     /// The whole text of a pass, NUL-terminated, with static storage; made only where it is named.
     template <std::size_t Pass>
-    static constexpr std::string_view source{text<&planned.passes.items[Pass]>.data(),
-                                             text<&planned.passes.items[Pass]>.size() - 1};
+    static constexpr std::string_view source{text<capture_count + Pass>.data(),
+                                             text<capture_count + Pass>.size() - 1};
 
     /// The whole text of a capture, likewise.
     template <std::size_t Capture>
-    static constexpr std::string_view capture_source{text<&planned.captures.items[Capture]>.data(),
-                                                     text<&planned.captures.items[Capture]>.size() - 1};
+    static constexpr std::string_view capture_source{text<Capture>.data(), text<Capture>.size() - 1};
 
     /// The effect as data, for a renderer.
     static constexpr effect_view view() { return {captures, passes, resources, features, defaults}; }

@@ -36,8 +36,12 @@ struct fixed_text {
             text = text.substr(0, Capacity - count);
             cut = true;
         }
-        for (char c : text)
-            characters[count++] = c;
+        // Plain indices: a compiler evaluates this for each character of an interface.
+        const char* from = text.data();
+        const std::size_t size = text.size(), at = count;
+        for (std::size_t i = 0; i < size; ++i)
+            characters[at + i] = from[i];
+        count = at + size;
         return *this;
     }
     constexpr fixed_text& operator<<(int value) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <crease/array_view.hpp>
 #include <crease/glsl_file.hpp>
 #include <crease/parameters.hpp>
 #include <crease/pass.hpp>
 #include <crease/resource.hpp>
 
-#include <span>
 #include <string_view>
 
 namespace crease {
@@ -91,11 +91,11 @@ struct step {
     std::string_view name; ///< of the pass
     const glsl_file* body = nullptr;
     step_kind kind = step_kind::evaluate;
-    std::span<const role> includes{}; ///< roles whose functions the body calls
-    std::span<const step_constant> constants{};
-    bool full_size_input = false;              ///< a filter's: whether that must be as large as the picture
-    std::span<const std::string_view> reads{}; ///< the part's own resources that the body reads
-    std::span<const std::string_view>
+    array_view<const role> includes{}; ///< roles whose functions the body calls
+    array_view<const step_constant> constants{};
+    bool full_size_input = false;               ///< a filter's: whether that must be as large as the picture
+    array_view<const std::string_view> reads{}; ///< the part's own resources that the body reads
+    array_view<const std::string_view>
         writes{};                            ///< the part's own resources that a build fills, all of one size
     int group_width = 16, group_height = 16; ///< a build's workgroup, invocations
 };
@@ -104,9 +104,9 @@ struct step {
 struct capture_step {
     std::string_view name;
     const glsl_file* body = nullptr;
-    std::span<const role> includes{}; ///< roles whose functions the body calls
-    std::string_view writes{};        ///< the part's own resource
-    access how = access::attachment;  ///< or modify
+    array_view<const role> includes{}; ///< roles whose functions the body calls
+    std::string_view writes{};         ///< the part's own resource
+    access how = access::attachment;   ///< or modify
 };
 
 /// GLSL of a part that is there only where another part needs it.
@@ -122,24 +122,24 @@ struct part {
     std::string_view summary; ///< one line
     std::string_view source;  ///< paper, chapter, algorithm
     const glsl_file* glsl = nullptr;
-    std::span<const glsl_file* const>
+    array_view<const glsl_file* const>
         helpers{}; ///< GLSL that must stand before `glsl`: the tap's struct, the noise
-    std::span<const number> numbers{};
-    std::span<const setting> settings{};
-    std::span<const trait* const> needs{};
-    std::span<const trait* const> offers{};
-    std::span<const extra> extras{};
-    std::span<const role> wants{};             ///< roles, else absent, of which the effect must have a part
-    std::span<const resource> resources{};     ///< what its functions read
-    std::span<const resource> intermediates{}; ///< what only its steps read and write
-    std::span<const step> steps{};             ///< a depth source's before the main pass, a filter's after it
+    array_view<const number> numbers{};
+    array_view<const setting> settings{};
+    array_view<const trait* const> needs{};
+    array_view<const trait* const> offers{};
+    array_view<const extra> extras{};
+    array_view<const role> wants{};             ///< roles, else absent, of which the effect must have a part
+    array_view<const resource> resources{};     ///< what its functions read
+    array_view<const resource> intermediates{}; ///< what only its steps read and write
+    array_view<const step> steps{};       ///< a depth source's before the main pass, a filter's after it
     const glsl_file* fold = nullptr;      ///< how the layers of a tap become one contribution; a fold's takes
                                           ///< precedence over a depth source's, and that over an estimator's
     const glsl_file* main_body = nullptr; ///< a second view's: what takes the place of core/visibility.glsl
     const capture_step* captures = nullptr; ///< a layer carrier's
     const glsl_file* result = nullptr;      ///< an output's: `struct crease_result` and its arithmetic
     const encoding* between = nullptr;      ///< an output's: how the result is kept between passes
-    std::span<const encoding* const> final_images{}; ///< an output's: the images that leave the effect
+    array_view<const encoding* const> final_images{}; ///< an output's: the images that leave the effect
     int upsampling = -1; ///< a filter's: index of the number by which its output is larger
     stage_kind stage_of = stage_kind::compute;      ///< a stage's
     dialect_kind dialect_of = dialect_kind::vulkan; ///< a dialect's
@@ -177,10 +177,10 @@ constexpr choice choice_of() {
 template <class... Traits>
 struct traits {
     static constexpr const trait* values[] = {&Traits::value...};
-    static constexpr std::span<const trait* const> list{values};
+    static constexpr array_view<const trait* const> list{values};
 };
 
-constexpr bool has(std::span<const trait* const> list, const trait* wanted) {
+constexpr bool has(array_view<const trait* const> list, const trait* wanted) {
     for (const trait* t : list)
         if (t == wanted)
             return true;

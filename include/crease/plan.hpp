@@ -118,12 +118,12 @@ constexpr void add_resource(plan& p, const resource& wanted) {
     r.layers_by = r.samples_by = {};
 }
 
-constexpr void add_resources(plan& p, std::span<const resource> wanted) {
+constexpr void add_resources(plan& p, array_view<const resource> wanted) {
     for (const resource& r : wanted)
         add_resource(p, r);
 }
 
-constexpr void add_inputs(plan& p, std::span<const role> includes) {
+constexpr void add_inputs(plan& p, array_view<const role> includes) {
     for (role r : includes)
         if (const choice* c = p.find(r))
             add_resources(p, c->what->resources);

@@ -56,7 +56,7 @@ public:
     }
 
     /// The files of parts of these roles; an extra comes after its part, where another of them needs it.
-    constexpr void add_files_of(std::span<const role> roles) {
+    constexpr void add_files_of(array_view<const role> roles) {
         for (role r : roles)
             if (const choice* c = plan_.find(r)) {
                 for (const glsl_file* helper : c->what->helpers)
@@ -92,7 +92,7 @@ public:
         out.bindings.add({.name = name, .resource = resource, .how = how});
     }
 
-    constexpr void bind_resources_of(std::span<const role> roles, int view) {
+    constexpr void bind_resources_of(array_view<const role> roles, int view) {
         for (role r : roles)
             if (const choice* c = plan_.find(r))
                 for (const resource& used : c->what->resources)
@@ -223,7 +223,7 @@ constexpr program write_evaluate(const plan& p, const planned_pass& pass) {
     const stage_kind kind = stage.what->stage_of;
     const bool functions = kind == stage_kind::functions;
     const part& output = *p.chosen(role::output).what;
-    const std::span<const role> roles = pass.what->includes;
+    const array_view<const role> roles = pass.what->includes;
     program_writer to(p, !functions, functions ? places_of(stage) : places{});
 
     to.add_file(&parameters_glsl);

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+namespace crease {
+
+/// A view of an array with static storage: what a part's description lists. A `std::span` costs a compiler
+/// milliseconds for each type and length of array that it is made of.
+template <class Item>
+struct array_view {
+    Item* items = nullptr;
+    std::size_t count = 0;
+
+    constexpr array_view() = default;
+    constexpr array_view(Item* first, std::size_t how_many) : items(first), count(how_many) {}
+    template <std::size_t Count>
+    constexpr array_view(Item (&all)[Count]) : items(all), count(Count) {}
+
+    constexpr Item* begin() const { return items; }
+    constexpr Item* end() const { return items + count; }
+    constexpr Item* data() const { return items; }
+    constexpr std::size_t size() const { return count; }
+    constexpr bool empty() const { return count == 0; }
+    constexpr Item& operator[](std::size_t i) const { return items[i]; }
+    constexpr Item& front() const { return items[0]; }
+    constexpr Item& back() const { return items[count - 1]; }
+};
+
+}
