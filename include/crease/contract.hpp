@@ -247,7 +247,7 @@ constexpr void assert_each_rule() {
 }
 
 /// Whether parts make an effect; where they do not, an assertion says why. The rules are checked on values
-/// first, as a template for each rule and part costs a compiler more than all else of an effect.
+/// first, as a template for each rule and its parts costs a compiler milliseconds.
 template <class... Parts>
 constexpr bool assert_all() {
     if constexpr ((asserted_part<Parts>() && ...)) {

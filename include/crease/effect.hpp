@@ -51,7 +51,8 @@ constexpr characters<Size> copy(const char* from) {
     return all;
 }
 
-// A block is text in few items, as a compiler copies and checks the items of constants one by one.
+// A block is text in few items, as a compiler copies and checks the items of constants one by one; packed, so
+// that blocks join without gaps.
 #pragma pack(push, 1)
 template <std::size_t Size, std::size_t Words = Size / 8, std::size_t Rest = Size % 8>
 struct block {
