@@ -32,6 +32,7 @@ layout(crease_parameters_place) uniform crease_parameters {
     uint crease_frame;
     float crease_opacity;
     float crease_front_reach;
+    float crease_falloff;
 } crease_given;
 
 // Read once, as not every compiler takes the reading out of a loop.
@@ -45,9 +46,13 @@ float crease_sharpness = crease_given.crease_sharpness;
 uint crease_frame = crease_given.crease_frame;
 float crease_opacity = crease_given.crease_opacity;
 float crease_front_reach = crease_given.crease_front_reach;
+float crease_falloff = crease_given.crease_falloff;
 // SPDX-License-Identifier: MIT
 // The depth of what is not there: further than any radius, and finite, so that its square is too.
 const float crease_background = 1e15;
+
+// What crease_view.far_depth is of the distance of the far plane: see set_projection.
+const float crease_far_share = 0.999;
 
 // Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
 ivec2 crease_size(int divisor) { return (ivec2(crease_view.resolution) + divisor - 1) / divisor; }

@@ -26,6 +26,7 @@ layout(crease_parameters_place) uniform crease_parameters {
     uint crease_frame;
     float crease_opacity;
     float crease_front_reach;
+    float crease_falloff;
 } crease_given;
 
 // Read once, as not every compiler takes the reading out of a loop.
@@ -39,9 +40,13 @@ float crease_sharpness = crease_given.crease_sharpness;
 uint crease_frame = crease_given.crease_frame;
 float crease_opacity = crease_given.crease_opacity;
 float crease_front_reach = crease_given.crease_front_reach;
+float crease_falloff = crease_given.crease_falloff;
 // SPDX-License-Identifier: MIT
 // The depth of what is not there: further than any radius, and finite, so that its square is too.
 const float crease_background = 1e15;
+
+// What crease_view.far_depth is of the distance of the far plane: see set_projection.
+const float crease_far_share = 0.999;
 
 // Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
 ivec2 crease_size(int divisor) { return (ivec2(crease_view.resolution) + divisor - 1) / divisor; }
@@ -151,7 +156,7 @@ vec3 crease_normal_at(vec2 texel, vec3 position) {
 // SPDX-License-Identifier: MIT
 // Two numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
 
-uvec3 crease_noise_hash(uvec3 v) {
+uvec3 crease_hashed_noise_mix(uvec3 v) {
     v = v * 1664525u + 1013904223u;
     v += v.yzx * v.zxy;
     v ^= v >> 16u;
@@ -160,7 +165,7 @@ uvec3 crease_noise_hash(uvec3 v) {
 }
 
 vec2 crease_noise(ivec2 pixel) {
-    return vec2(crease_noise_hash(uvec3(uvec2(pixel), crease_frame)).xy >> 8u) * (1.0 / 16777216.0);
+    return vec2(crease_hashed_noise_mix(uvec3(uvec2(pixel), crease_frame)).xy >> 8u) * (1.0 / 16777216.0);
 }
 // SPDX-License-Identifier: MIT
 // A tap on the screen, at the centre of a texel.

@@ -28,6 +28,7 @@ layout(crease_parameters_place) uniform crease_parameters {
     uint crease_frame;
     float crease_opacity;
     float crease_front_reach;
+    float crease_falloff;
 } crease_given;
 
 // Read once, as not every compiler takes the reading out of a loop.
@@ -41,9 +42,13 @@ float crease_sharpness = crease_given.crease_sharpness;
 uint crease_frame = crease_given.crease_frame;
 float crease_opacity = crease_given.crease_opacity;
 float crease_front_reach = crease_given.crease_front_reach;
+float crease_falloff = crease_given.crease_falloff;
 // SPDX-License-Identifier: MIT
 // The depth of what is not there: further than any radius, and finite, so that its square is too.
 const float crease_background = 1e15;
+
+// What crease_view.far_depth is of the distance of the far plane: see set_projection.
+const float crease_far_share = 0.999;
 
 // Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
 ivec2 crease_size(int divisor) { return (ivec2(crease_view.resolution) + divisor - 1) / divisor; }
@@ -170,7 +175,7 @@ vec3 crease_normal_at(vec2 texel, vec3 position) {
 // SPDX-License-Identifier: MIT
 // Two numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
 
-uvec3 crease_noise_hash(uvec3 v) {
+uvec3 crease_hashed_noise_mix(uvec3 v) {
     v = v * 1664525u + 1013904223u;
     v += v.yzx * v.zxy;
     v ^= v >> 16u;
@@ -179,7 +184,7 @@ uvec3 crease_noise_hash(uvec3 v) {
 }
 
 vec2 crease_noise(ivec2 pixel) {
-    return vec2(crease_noise_hash(uvec3(uvec2(pixel), crease_frame)).xy >> 8u) * (1.0 / 16777216.0);
+    return vec2(crease_hashed_noise_mix(uvec3(uvec2(pixel), crease_frame)).xy >> 8u) * (1.0 / 16777216.0);
 }
 // SPDX-License-Identifier: MIT
 // A tap at a point of view space, moved onto the ray through the centre of the texel that it falls into.
@@ -216,6 +221,8 @@ int crease_direction_count() { return 1; }
 
 int crease_step_count() { return crease_hemisphere_points_count; }
 
+float crease_volume_behind() { return 0.0; }
+
 vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
@@ -228,7 +235,10 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     vec3 point = receiver.position + (crease_radius * pattern.distance) *
         (pattern.tangent * sideways.x + pattern.bitangent * sideways.y + receiver.normal * sqrt(1.0 - share));
     vec2 texel = floor(crease_texel_at(point)) + 0.5;
-    return crease_tap(texel, point.z < 0.0 && crease_inside(texel), crease_view_position(texel, -point.z));
+    vec3 moved = crease_view_position(texel, -point.z);
+    // A point that its texel moved out of the hemisphere says nothing; so a plane is unoccluded at every slant.
+    bool above = dot(moved - receiver.position, receiver.normal) > 0.0;
+    return crease_tap(texel, above && point.z < 0.0 && crease_inside(texel), moved);
 }
 // SPDX-License-Identifier: MIT
 // Range-checked points: stochastic-depth-ao, Algorithm 1.
@@ -248,7 +258,7 @@ crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
-    // A point that its texel moved out of the hemisphere says nothing; so a plane is unoccluded at every slant.
+    // A point close to the tangent plane says nothing, as rounding may put it behind the surface.
     float height = dot(tap.point - receiver.position, receiver.normal);
     if (!(height > crease_bias * crease_radius))
         return crease_contribution(0.0, 0.0);
