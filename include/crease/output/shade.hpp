@@ -30,8 +30,7 @@ inline constexpr glsl_file encoding_shade_depth_glsl{
 inline constexpr encoding shade_encoding{"shade", format::r32_float, &encoding_shade_glsl};
 
 /// What a filter reads: shade and linear depth.
-inline constexpr encoding shade_depth_encoding{"shade_depth", format::rgba32_float,
-                                               &encoding_shade_depth_glsl};
+inline constexpr encoding shade_depth_encoding{"shade_depth", format::rg32_uint, &encoding_shade_depth_glsl};
 
 struct shade_part {
     static constexpr const encoding* images[] = {&visibility_encoding, &shade_encoding};

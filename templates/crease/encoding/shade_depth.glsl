@@ -6,9 +6,13 @@ R"glsl("
 
 crease_result crease_shade_result(float shade, float depth);
 
-vec4 crease_encode_shade_depth(crease_result result) { return vec4(result.shade, result.depth, 0.0, 0.0); }
+uvec4 crease_encode_shade_depth(crease_result result) {
+    return uvec4(floatBitsToUint(result.shade), floatBitsToUint(result.depth), 0u, 0u);
+}
 
-crease_result crease_decode_shade_depth(vec4 texel) { return crease_shade_result(texel.x, texel.y); }
+crease_result crease_decode_shade_depth(uvec4 texel) {
+    return crease_shade_result(uintBitsToFloat(texel.x), uintBitsToFloat(texel.y));
+}
 #ifdef __cplusplus
 ")glsl"
 #endif
