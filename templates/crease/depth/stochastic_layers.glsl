@@ -9,7 +9,8 @@ int crease_group_count() { return (crease_stochastic_layers_count + 3) / 4; }
 float crease_stochastic_layers_fetch(vec2 texel, int layer) {
     if (layer >= crease_stochastic_layers_count)
         return crease_background;
-    vec2 at = (texel + crease_view.guard) * crease_view.texel_size;
+    // The image is as large as the first camera asks, also where the second is smaller.
+    vec2 at = (texel + crease_view.guard) / vec2(textureSize(crease_packed_layers, 0).xy);
     int index = crease_view_index * crease_stochastic_layers_count + layer;
     return textureLod(crease_packed_layers, vec3(at, float(index)), 0.0).x;
 }
