@@ -32,16 +32,17 @@ struct parameters {
     float second_from_first[16] = {1, 0, 0, 0, 0, 1, 0, 0,
                                    0, 0, 1, 0, 0, 0, 0, 1}; ///< column-major, from the view space of the
                                                             ///< picture to that of the second camera
-    float radius = 1;            ///< world-space AO radius R, view-space units, >= 0
-    float bias = 0;              ///< see the estimator's settings
-    float threshold = 0;         ///< see the estimator's settings
-    float strength = 1;          ///< multiplies the occlusion (stochastic-depth-ao 8.1), >= 0
-    float exponent = 1;          ///< applied to the visibility (stochastic-depth-ao 8.1), > 0
-    float sharpness = 0;         ///< see the filter's settings
-    std::uint32_t frame = 0;     ///< index that changes the per-pixel randomness
-    float opacity = 1;           ///< see the settings of what samples the layers, in (0, 1]
-    float front_reach = 0;       ///< see the fold's settings
-    float unused[3] = {0, 0, 0}; ///< pads to a multiple of 16 bytes
+    float radius = 1;         ///< world-space AO radius R, view-space units, >= 0
+    float bias = 0;           ///< see the estimator's settings
+    float threshold = 0;      ///< see the estimator's settings
+    float strength = 1;       ///< multiplies the occlusion (stochastic-depth-ao 8.1), >= 0
+    float exponent = 1;       ///< applied to the visibility (stochastic-depth-ao 8.1), > 0
+    float sharpness = 0;      ///< see the filter's settings
+    std::uint32_t frame = 0;  ///< index that changes the per-pixel randomness
+    float opacity = 1;        ///< see the settings of what samples the layers, in (0, 1]
+    float front_reach = 0;    ///< see the fold's settings
+    float falloff = 0;        ///< see the estimator's settings
+    float unused[2] = {0, 0}; ///< pads to a multiple of 16 bytes
 
     constexpr bool operator==(const parameters&) const = default;
 };
@@ -56,7 +57,7 @@ static_assert(offsetof(parameters, view) == 0 && offsetof(parameters, second_vie
               offsetof(parameters, strength) == 172 && offsetof(parameters, exponent) == 176 &&
               offsetof(parameters, sharpness) == 180 && offsetof(parameters, frame) == 184 &&
               offsetof(parameters, opacity) == 188 && offsetof(parameters, front_reach) == 192 &&
-              sizeof(parameters) == 208);
+              offsetof(parameters, falloff) == 196 && sizeof(parameters) == 208);
 
 /// Which clip space a projection matrix maps to, and which row of the depth image comes first.
 struct clip_space {

@@ -37,6 +37,7 @@ layout(std140, set = 0, binding = 0) uniform crease_parameters {
     uint crease_frame;
     float crease_opacity;
     float crease_front_reach;
+    float crease_falloff;
 };
 )";
 

@@ -18,7 +18,7 @@ TEST_CASE("a compute shader's interface") {
     CHECK(r.bindings[0].name == "crease_parameters");
     CHECK(r.bindings[0].kind == binding_kind::uniform_block);
     CHECK(r.bindings[0].size == sizeof(parameters));
-    REQUIRE(r.bindings[0].members.size() == 11);
+    REQUIRE(r.bindings[0].members.size() == 12);
     CHECK(r.bindings[0].members[2].name == "crease_radius");
     CHECK(r.bindings[0].members[2].offset == 160);
     CHECK(!r.bindings[0].writable);

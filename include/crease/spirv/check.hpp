@@ -30,6 +30,7 @@ inline constexpr mirrored_member parameter_members[] = {
     {"crease_frame", offsetof(parameters, frame)},
     {"crease_opacity", offsetof(parameters, opacity)},
     {"crease_front_reach", offsetof(parameters, front_reach)},
+    {"crease_falloff", offsetof(parameters, falloff)},
 };
 
 constexpr std::string_view name_of(binding_kind kind) {

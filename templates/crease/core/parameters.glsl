@@ -23,6 +23,7 @@ layout(crease_parameters_place) uniform crease_parameters {
     uint crease_frame;
     float crease_opacity;
     float crease_front_reach;
+    float crease_falloff;
 };
 #ifdef __cplusplus
 ")glsl"
