@@ -6,10 +6,14 @@
 // tests/pure/<role>/<name>.cpp.
 
 #include <crease/depth/single_layer.hpp>
+#include <crease/depth/summed_area.hpp>
+#include <crease/depth/summed_area_adaptive.hpp>
+#include <crease/depth/summed_area_uniform.hpp>
 #include <crease/dialect/opengl.hpp>
 #include <crease/dialect/vulkan.hpp>
 #include <crease/estimator/hbao.hpp>
 #include <crease/estimator/hbao_plus.hpp>
+#include <crease/estimator/mean_height.hpp>
 #include <crease/estimator/ssao.hpp>
 #include <crease/filter/bilateral.hpp>
 #include <crease/filter/upsample.hpp>
@@ -17,6 +21,7 @@
 #include <crease/sampler/directions.hpp>
 #include <crease/sampler/hemisphere_points.hpp>
 #include <crease/sampler/poisson_disk.hpp>
+#include <crease/sampler/sample_box.hpp>
 #include <crease/stage/compute.hpp>
 #include <crease/stage/fragment.hpp>
 #include <crease/stage/functions.hpp>
@@ -34,9 +39,14 @@ inline constexpr const part* all_parts[] = {
     &directions_part::description,
     &hemisphere_points_part::description,
     &poisson_disk_part::description,
+    &sample_box::description,
     &single_layer::description,
+    &summed_area_part::description,
+    &summed_area_uniform_part::description,
+    &summed_area_adaptive_part::description,
     &hbao::description,
     &hbao_plus::description,
+    &mean_height_part::description,
     &ssao::description,
     &visibility_only::description,
     &bilateral_part::description,

@@ -13,9 +13,13 @@ namespace {
 using oracle::lens;
 using kind = oracle::surface::kind;
 
-const char* const recipes[] = {"hemisphere_points:16/single_layer/ssao", "directions:8x4/single_layer/hbao",
+const char* const recipes[] = {"hemisphere_points:16/single_layer/ssao",
+                               "directions:8x4/single_layer/hbao",
                                "directions:8x4/single_layer/hbao_plus",
-                               "poisson_disk:16/single_layer/hbao_plus"};
+                               "poisson_disk:16/single_layer/hbao_plus",
+                               "sample_box/summed_area/mean_height",
+                               "sample_box/summed_area_uniform:5x2/mean_height",
+                               "sample_box/summed_area_adaptive:4x2/mean_height"};
 
 float least(const std::vector<float>& image) {
     return *std::min_element(image.begin(), image.end());

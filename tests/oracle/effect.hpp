@@ -11,7 +11,7 @@ namespace oracle {
 
 /// The settings of an effect, as crease::parameters names them.
 struct settings {
-    double radius = 1, bias = 0, threshold = 0, strength = 1, exponent = 1, sharpness = 8;
+    double radius = 1, bias = 0, threshold = 0, strength = 1, exponent = 1, sharpness = 8, falloff = 0;
     std::uint32_t frame = 0;
 };
 

@@ -59,6 +59,7 @@ settings settings_of(const crease::parameters& how) {
             .strength = how.strength,
             .exponent = how.exponent,
             .sharpness = how.sharpness,
+            .falloff = how.falloff,
             .frame = how.frame};
 }
 
