@@ -3,6 +3,7 @@
 
 #include "frame/fetch_loop.hpp"
 #include "frame/frame.hpp"
+#include "frame/table_copy.hpp"
 #include "image/file.hpp"
 #include "measure/compare.hpp"
 #include "measure/work.hpp"
@@ -167,11 +168,13 @@ void run(const bench_options& options) {
         for (subject& view : load_subjects(device, scene, options))
             views.push_back(std::move(view));
     const double fetch_loop = time_fetch_loop(device, views[0].inputs, options.repeats);
+    const double table_copy = time_table_copy(device, options.width, options.height, options.repeats);
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     if (!options.as_json) {
         fmt::print("{}, {} x {}, times on {} {}, errors the mean of {} views\n", device.name(), options.width,
                    options.height, views[0].name, views[0].from.name, views.size());
         fmt::print("{:<58} {:7.2f} ms\n", "32 fetches of depth and no more", fetch_loop);
+        fmt::print("{:<58} {:7.2f} ms\n", "a copy of as many texels of rgba32_float", table_copy);
     }
     for (const std::string& text : options.recipes) {
         rows.push_back(measure(device, text, views, options));
@@ -183,6 +186,7 @@ void run(const bench_options& options) {
                                                   {"width", options.width},
                                                   {"height", options.height},
                                                   {"fetch_loop_milliseconds", fetch_loop},
+                                                  {"table_copy_milliseconds", table_copy},
                                                   {"recipes", rows}}
                                .dump(2));
 }
