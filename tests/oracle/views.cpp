@@ -19,8 +19,9 @@ void add_box(mesh& to, glm::vec3 low, glm::vec3 high) {
     const auto first = static_cast<std::uint32_t>(to.positions.size());
     for (unsigned i = 0; i < 8; ++i)
         to.positions.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
-    for (std::uint32_t i : {0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
-                            2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3})
+    constexpr std::uint32_t corners[] = {0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
+                                         2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3};
+    for (std::uint32_t i : corners)
         to.indices.push_back(first + i);
 }
 

@@ -18,6 +18,8 @@ void crease_gathered_tap(inout crease_gathered gathered, crease_receiver receive
 void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiver, crease_estimate estimate,
                           vec2 direction) {}
 
+crease_gathered crease_gathered_turned_back(crease_gathered gathered, mat3 turn) { return gathered; }
+
 crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver) {
     float shade = crease_strength * gathered.occlusion;
     return crease_shade_result(crease_shade_highlight != 0 ? shade : max(shade, 0.0), -receiver.position.z);
