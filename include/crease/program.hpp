@@ -116,7 +116,10 @@ public:
 
     constexpr void write_version() {
         if (has_main_)
-            out.interface << (vulkan_ ? "#version 450\n" : "#version 430\n");
+            out.interface << (vulkan_ ? "#version 450\n#extension GL_EXT_control_flow_attributes : enable\n"
+                                      : "#version 430\n");
+        // A host that takes functions writes its own #version and #extension.
+        out.interface << "#define crease_unroll" << (has_main_ && vulkan_ ? " [[unroll]]\n" : "\n");
     }
 
     constexpr void write_workgroup(std::size_t& first) {

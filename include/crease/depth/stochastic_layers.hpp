@@ -24,11 +24,11 @@ struct stochastic_layers_part {
     };
     static constexpr role capturing[] = {role::layer_carrier, role::layer_sampling, role::fold};
     static constexpr resource packed[] = {{.name = "packed_layers",
-                                           .texels = format::r32_float,
+                                           .texels = format::rgba32_float,
                                            .life = lifetime::transient,
                                            .size = {.guarded = true},
                                            .arrayed = true,
-                                           .layers_by = {.number = 0}}};
+                                           .layers_by = {.number = 0, .share = 4}}};
     static constexpr role packing[] = {role::projection, role::depth_encoding, role::layer_carrier};
     static constexpr std::string_view filled[] = {"packed_layers"};
     static constexpr step passes[] = {{.name = "pack_layers",

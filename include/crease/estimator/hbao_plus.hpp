@@ -2,7 +2,7 @@
 #pragma once
 
 #include <crease/depth/layers.hpp>
-#include <crease/estimator/reach.hpp>
+#include <crease/fold/front_first.hpp>
 #include <crease/output/bent_cone.hpp>
 #include <crease/sampler/taps.hpp>
 #include <crease/view/second_view.hpp>
@@ -27,8 +27,7 @@ inline constexpr glsl_file hbao_plus_bent_glsl{
 /// Estimator: normal-projected obscurance, HBAO+. The defaults aim at the `linear` truth.
 struct hbao_plus {
     using needs = traits<screen_taps, depth_layers>;
-    static constexpr extra more[] = {{&front_test::value, &reach_glsl},
-                                     {&front_test::value, &hbao_plus_front_glsl},
+    static constexpr extra more[] = {{&front_test::value, &hbao_plus_front_glsl},
                                      {&open_directions::value, &hbao_plus_bent_glsl}};
     static constexpr setting reads[] = {
         {"bias", &parameters::bias, 0.2f, 0, 1, "cosine between the normal and a tap that is taken off"},

@@ -15,7 +15,7 @@ inline constexpr glsl_file front_dropped_glsl{
 #include <crease/fold/front_dropped.glsl>
 };
 
-/// A test by which the front layer of a tap settles it: crease_front_settles and crease_may_occlude.
+/// A test by which the front layer of a tap settles it: crease_front_settles.
 CREASE_TRAIT(front_test, estimator,
              "the fold needs a test of the front surface, which the estimator does not have");
 

@@ -13,16 +13,24 @@ crease_contribution crease_fold_layer(crease_estimate estimate, crease_receiver 
 crease_contribution crease_fold_others(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
                                        crease_contribution most, vec4 depths);
 
+// The first group; the others are fetched where they are asked for.
+struct crease_layers {
+    vec4 depths;
+};
+
+crease_layers crease_fetch_layers(vec2 texel) { return crease_layers(crease_fetch_group(texel, 0)); }
+
 crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
                                 crease_layers layers) {
     vec4 depths = layers.depths;
     crease_contribution most = crease_weigh(estimate, receiver, tap, crease_view_position(tap.texel, depths.x));
     most = crease_fold_others(estimate, receiver, tap, most, depths);
-    for (int group = 1; group < crease_group_count() && depths.w < crease_background; ++group) {
-        depths = crease_fetch_group(tap.texel, group);
-        most = crease_fold_layer(estimate, receiver, tap, most, depths.x);
-        most = crease_fold_others(estimate, receiver, tap, most, depths);
-    }
+    crease_unroll for (int group = 1; group < crease_group_count(); ++group)
+        if (depths.w < crease_background) {
+            depths = crease_fetch_group(tap.texel, group);
+            most = crease_fold_layer(estimate, receiver, tap, most, depths.x);
+            most = crease_fold_others(estimate, receiver, tap, most, depths);
+        }
     return most;
 }
 #ifdef __cplusplus

@@ -1,4 +1,6 @@
 #version 450
+#extension GL_EXT_control_flow_attributes : enable
+#define crease_unroll [[unroll]]
 layout(local_size_x = 16, local_size_y = 16, local_size_x_id = 0, local_size_y_id = 1) in;
 layout(constant_id = 2) const int crease_bilateral_radius = 4;
 const int crease_bilateral_axis = 0;

@@ -1,4 +1,5 @@
 #version 430
+#define crease_unroll
 const int crease_hemisphere_points_count = 16;
 const int crease_divisor = 1;
 const int crease_view_index = 0;
@@ -352,16 +353,17 @@ crease_receiver crease_receiver_at(ivec2 pixel, vec2 texel, vec3 position, vec3 
 }
 
 const int crease_batch = 4; // taps whose layers are fetched before any is weighed, so that the waits overlap
+const int crease_written_out = 8; // taps of a direction up to which no loop is left, as a loop costs some drivers dearly
 
 void crease_take(inout crease_estimate estimate, inout crease_gathered gathered, inout crease_pattern pattern,
                  crease_receiver receiver, int first, int count) {
     crease_tap taps[crease_batch];
     crease_layers layers[crease_batch];
-    for (int i = 0; i < count; ++i) {
+    crease_unroll for (int i = 0; i < count; ++i) {
         taps[i] = crease_pattern_tap(pattern, receiver, first + i);
         layers[i] = crease_fetch_layers(taps[i].inside ? taps[i].texel : receiver.texel);
     }
-    for (int i = 0; i < count; ++i) {
+    crease_unroll for (int i = 0; i < count; ++i) {
         crease_contribution contribution = crease_fold(estimate, receiver, taps[i], layers[i]);
         if (taps[i].inside) {
             crease_estimate_add(estimate, contribution);
@@ -378,8 +380,13 @@ crease_gathered crease_gather(crease_receiver receiver) {
         vec2 direction = crease_pattern_turn(pattern, receiver, i);
         crease_estimate_turn(estimate, direction);
         int rest = crease_step_count() % crease_batch, whole = crease_step_count() - rest;
-        for (int step = 0; step < whole; step += crease_batch)
-            crease_take(estimate, gathered, pattern, receiver, step, crease_batch);
+        if (whole <= crease_written_out) {
+            crease_unroll for (int step = 0; step < whole; step += crease_batch)
+                crease_take(estimate, gathered, pattern, receiver, step, crease_batch);
+        } else {
+            for (int step = 0; step < whole; step += crease_batch)
+                crease_take(estimate, gathered, pattern, receiver, step, crease_batch);
+        }
         crease_take(estimate, gathered, pattern, receiver, whole, rest);
         crease_gathered_turn(gathered, receiver, estimate, direction);
     }
