@@ -27,6 +27,14 @@ CREASE_TRAIT(line_taps, sampler,
 CREASE_TRAIT(window_taps, sampler,
              "the estimator needs taps at each texel of a window, which the sampler does not propose");
 
+/// Taps that take in an area of the picture.
+CREASE_TRAIT(area_taps, sampler, "the estimator needs taps of areas, which the sampler does not propose");
+
+inline constexpr glsl_file area_tap_glsl{
+    "sampler/area_tap.glsl",
+#include <crease/sampler/area_tap.glsl>
+};
+
 inline constexpr glsl_file screen_tap_glsl{
     "sampler/screen_tap.glsl",
 #include <crease/sampler/screen_tap.glsl>
