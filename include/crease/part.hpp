@@ -95,6 +95,7 @@ struct step {
     const glsl_file* body = nullptr;
     step_kind kind = step_kind::evaluate;
     array_view<const role> includes{};            ///< roles whose functions the body calls
+    array_view<const trait* const> needs{};       ///< of a build: other parts' extras that the body calls
     array_view<const glsl_file* const> helpers{}; ///< GLSL of a build that must stand before the body
     array_view<const step_constant> constants{};
     bool full_size_input = false;               ///< a filter's: whether that must be as large as the picture
@@ -115,7 +116,7 @@ struct capture_step {
     access how = access::attachment;   ///< or modify
 };
 
-/// GLSL of a part that is there only where another part needs it.
+/// GLSL of a part that is there only where another part, or one of its steps, needs it.
 struct extra {
     const trait* on_need; ///< the trait that the part offers by it
     const glsl_file* glsl;

@@ -35,6 +35,7 @@
 #include <crease/output/bent_cone.hpp>
 #include <crease/output/shade.hpp>
 #include <crease/output/visibility_only.hpp>
+#include <crease/sampler/box_area.hpp>
 #include <crease/sampler/box_window.hpp>
 #include <crease/sampler/directions.hpp>
 #include <crease/sampler/hemisphere_lines.hpp>
@@ -66,6 +67,7 @@ inline constexpr const part* all_parts[] = {
     &hemisphere_lines_part::description,
     &box_window_part::description,
     &sample_box::description,
+    &box_area_part::description,
     &single_layer::description,
     &stochastic_layers_part::description,
     &summed_area_part::description,

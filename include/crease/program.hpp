@@ -304,6 +304,10 @@ constexpr program write_build(const plan& p, const planned_pass& pass) {
     to.add_files_of(s.includes);
     if (const choice* fold = p.find(role::fold))
         to.add_file(fold->what->packs);
+    for (const choice& c : p.choices)
+        for (const extra& e : c.what->extras)
+            if (has(s.needs, e.on_need))
+                to.add_file(e.glsl);
     for (const glsl_file* helper : s.helpers)
         to.add_file(helper);
     to.add_file(s.body);

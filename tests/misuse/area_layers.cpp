@@ -1,5 +1,5 @@
-// crease::effect: the estimator needs means over areas, which the depth source does not hold
-// (mean_height, single_layer)
+// crease::effect: the sampler proposes areas, and the depth source holds no means over them
+// (sample_box, single_layer)
 // sample_box/single_layer/mean_height
 // SPDX-License-Identifier: MIT
 #include <crease/crease.hpp>

@@ -122,7 +122,7 @@ std::string structs_for(const std::string& text) {
     add("crease_areas ", "depth/summed_area.glsl", "};");
     const bool in_space = holds(".point") || holds("sphere_points");
     const bool lines = holds("tap.near") || holds("crease_line_clip");
-    const bool areas = holds("crease_areas ") || holds("crease_sample_area");
+    const bool areas = holds("vec4 area") || holds("crease_sample_area");
     add("crease_tap",
         in_space ? "sampler/point_tap.glsl"
         : lines  ? "sampler/line_tap.glsl"

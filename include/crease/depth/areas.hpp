@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/part.hpp>
+#include <crease/sampler/taps.hpp>
 
 namespace crease {
 
-/// Sums over areas of the picture, layer by layer.
+/// Means over areas of the picture, layer by layer.
 CREASE_TRAIT(area_layers, depth_source,
-             "the estimator needs means over areas, which the depth source does not hold");
+             "the sampler proposes areas, and the depth source holds no means over them");
+
+/// What the means over areas are of, by three functions that the passes of the tables and the main pass call:
+/// `float crease_area_depth(float depth)`, the depth with which a texel counts, 0 where it does not;
+/// `vec3 crease_area_value(vec3 position, float centre)`, what is summed, its z the less the farther and next
+/// to 0 about the depth `centre`; and back, `vec3 crease_area_position(vec3 value, float centre)`. The
+/// estimator's `crease_contribution` has `occlusion` and `texels`.
+CREASE_TRAIT(area_means, estimator,
+             "the depth source holds means over areas, of which the estimator makes nothing");
 
 /// The fold of the layers of an area: their mean, weighed by the number of their texels.
 inline constexpr glsl_file fold_mean_glsl{
@@ -83,14 +91,14 @@ inline constexpr glsl_file scan_glsl{
 /// What the depth sources of areas share: summed-area tables, and the steps that make them.
 ///
 /// The tables are one array image of rgba32_float, filled and then summed in place, rows and then columns;
-/// texel (i, j) of a table is the sum over the texels up to and including it: xyz of view-space positions
-/// less the picture's mean depth, w of their count. Counts are exact up to 2^24 texels. Places of a
+/// texel (i, j) of a table is the sum over the texels up to and including it: xyz of what the estimator takes
+/// means of, w of their count. Counts are exact up to 2^24 texels. Places of a
 /// table are off by less than 1e-5 of its greatest sum, so small areas of large pictures are the least exact.
-/// As sums are centred on the mean depth, a picture of one depth has sums of depth next to 0, and its mean is
-/// constant to 1e-4 of the depth at 3840 x 2160.
+/// As sums of positions are centred on the mean depth, a picture of one depth has sums of depth next to 0,
+/// and its mean is constant to 1e-4 of the depth at 3840 x 2160.
 namespace areas {
 
-/// The range of depth of the picture: nearest, farthest, mean, count of texels that are no background.
+/// The range of depth of the picture: nearest, farthest, mean, count of texels that count.
 inline constexpr resource range{.name = "range",
                                 .texels = format::rgba32_float,
                                 .life = lifetime::transient,
@@ -113,13 +121,17 @@ constexpr resource tables(counted layers, int divisor) {
             .divisor_by = divisor};
 }
 
+/// What depth sources of areas need.
+using needs = traits<area_taps, area_means>;
+
+inline constexpr array_view<const trait* const> means = traits<area_means>::list;
 inline constexpr role view[] = {role::projection, role::depth_encoding};
 inline constexpr std::string_view range_name[] = {"range"}, columns_name[] = {"range_of_columns"},
                                   tables_name[] = {"area_tables"};
 inline constexpr const glsl_file* join_helpers[] = {&range_join_glsl};
 inline constexpr const glsl_file* fill_helpers[] = {&range_glsl, &area_texel_glsl};
-inline constexpr const glsl_file* split_helpers[] = {&range_glsl, &area_texel_glsl, &areas_stored_glsl,
-                                                     &area_query_glsl, &sample_area_glsl};
+inline constexpr const glsl_file* split_helpers[] = {&range_glsl,        &area_mean_glsl,  &area_texel_glsl,
+                                                     &areas_stored_glsl, &area_query_glsl, &sample_area_glsl};
 inline constexpr const glsl_file* query_helpers[] = {&area_layers_glsl, &range_glsl, &area_mean_glsl,
                                                      &areas_sampled_glsl, &area_query_glsl};
 
@@ -127,6 +139,7 @@ inline constexpr step range_of_columns{.name = "range_of_columns",
                                        .body = &range_columns_glsl,
                                        .kind = step_kind::columns,
                                        .includes = view,
+                                       .needs = means,
                                        .helpers = join_helpers,
                                        .writes = columns_name};
 inline constexpr step range_of_picture{.name = "range_of_picture",
@@ -144,6 +157,7 @@ constexpr step fill(std::string_view name, const glsl_file* body) {
             .body = body,
             .kind = step_kind::build,
             .includes = view,
+            .needs = means,
             .helpers = fill_helpers,
             .reads = range_name,
             .writes = tables_name};

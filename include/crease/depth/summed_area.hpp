@@ -11,6 +11,7 @@ inline constexpr glsl_file summed_area_glsl{
 };
 
 struct summed_area_part {
+    using needs = areas::needs;
     static constexpr number takes[] = {{"divisor", 1, 4, 1, "how much smaller the sides of the table are"}};
     static constexpr resource reads[] = {areas::tables({}, 0), areas::range};
     static constexpr step passes[] = {
@@ -28,10 +29,12 @@ struct summed_area_part {
         .glsl = &summed_area_glsl,
         .helpers = areas::query_helpers,
         .numbers = takes,
+        .needs = needs::list,
         .offers = traits<area_layers>::list,
         .resources = reads,
         .intermediates = areas::intermediates,
         .steps = passes,
+        .fold = &fold_mean_glsl,
     };
 };
 

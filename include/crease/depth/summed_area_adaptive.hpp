@@ -26,6 +26,7 @@ constexpr step split(std::string_view name) {
             .body = &summed_area_adaptive_split_glsl,
             .kind = step_kind::build,
             .includes = view,
+            .needs = means,
             .helpers = split_helpers,
             .constants = splits<First>,
             .reads = range_name,
@@ -37,6 +38,7 @@ constexpr step split(std::string_view name) {
 }
 
 struct summed_area_adaptive_part {
+    using needs = areas::needs;
     static constexpr number takes[] = {
         {"layers", 2, 8, 4, "that the recursive splits leave, and tables stored"},
         {"divisor", 1, 4, 1, "how much smaller the sides of the tables are"},
@@ -67,10 +69,12 @@ struct summed_area_adaptive_part {
         .glsl = &summed_area_adaptive_glsl,
         .helpers = areas::query_helpers,
         .numbers = takes,
+        .needs = needs::list,
         .offers = traits<area_layers>::list,
         .resources = reads,
         .intermediates = areas::intermediates,
         .steps = passes,
+        .fold = &fold_mean_glsl,
     };
 };
 

@@ -16,6 +16,7 @@ inline constexpr glsl_file summed_area_uniform_fill_glsl{
 };
 
 struct summed_area_uniform_part {
+    using needs = areas::needs;
     static constexpr number takes[] = {
         {"layers", 1, 64, 16, "of equal depth, from the nearest to the farthest of the picture"},
         {"divisor", 1, 4, 1, "how much smaller the sides of the tables are"},
@@ -36,10 +37,12 @@ struct summed_area_uniform_part {
         .glsl = &summed_area_uniform_glsl,
         .helpers = areas::query_helpers,
         .numbers = takes,
+        .needs = needs::list,
         .offers = traits<area_layers>::list,
         .resources = reads,
         .intermediates = areas::intermediates,
         .steps = passes,
+        .fold = &fold_mean_glsl,
     };
 };
 

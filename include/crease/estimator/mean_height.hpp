@@ -11,8 +11,14 @@ inline constexpr glsl_file mean_height_glsl{
 #include <crease/estimator/mean_height.glsl>
 };
 
+inline constexpr glsl_file mean_height_areas_glsl{
+    "estimator/mean_height_areas.glsl",
+#include <crease/estimator/mean_height_areas.glsl>
+};
+
 struct mean_height_part {
-    using needs = traits<area_taps, area_layers>;
+    using needs = traits<sample_area_taps>;
+    static constexpr extra more[] = {{&area_means::value, &mean_height_areas_glsl}};
     static constexpr number takes[] = {
         {"oriented", 0, 1, 1, "whether heights are along the normal (4.5), else along the view (4.3)"}};
     static constexpr setting reads[] = {
@@ -32,7 +38,8 @@ struct mean_height_part {
         .numbers = takes,
         .settings = reads,
         .needs = needs::list,
-        .fold = &fold_mean_glsl,
+        .offers = traits<area_means>::list,
+        .extras = more,
     };
 };
 

@@ -13,6 +13,7 @@ inline constexpr glsl_file sample_box_glsl{
 
 /// Sampler: one area, that of the box around the receiver.
 struct sample_box {
+    using needs = traits<area_layers>;
     static constexpr const glsl_file* helpers[] = {&area_tap_glsl, &sample_area_glsl};
     static constexpr part description{
         .kind = role::sampler,
@@ -21,7 +22,8 @@ struct sample_box {
         .source = "statistical-volumetric-obscurance 2015, 4.2",
         .glsl = &sample_box_glsl,
         .helpers = helpers,
-        .offers = traits<area_taps>::list,
+        .needs = needs::list,
+        .offers = traits<area_taps, sample_area_taps>::list,
     };
 };
 

@@ -2,7 +2,7 @@
 R"glsl("
 #endif
 // SPDX-License-Identifier: MIT
-// What one texel tells of all depths of the picture; 0 where there is none but background.
+// What one texel tells of all depths of the picture; 0 where none counts.
 float crease_range_nearest() { return texelFetch(crease_range, ivec2(0), 0).x; }
 
 float crease_range_farthest() { return texelFetch(crease_range, ivec2(0), 0).y; }

@@ -9,7 +9,7 @@ R"glsl("
 vec3 crease_to_eye(vec3 position);
 void crease_axes(vec3 to_eye, out vec3 across, out vec3 up);
 mat2 crease_disk(vec3 position, vec3 across, vec3 up);
-float crease_range_mean();
+vec3 crease_area_mean(vec4 sum);
 vec4 crease_sample_area(vec2 texel, mat2 disk);
 vec4 crease_areas_box(vec4 area);
 vec4 crease_areas_over(vec4 box, int table);
@@ -33,7 +33,7 @@ void crease_build(ivec2 texel) {
     vec4 own = crease_area_texel(texel);
     int table = -1; // that of the texel; none where it is farther, or background
     if (own.w > 0.0) {
-        vec3 position = own.xyz / own.w - vec3(0.0, 0.0, crease_range_mean());
+        vec3 position = crease_area_mean(own);
         vec3 across, up;
         crease_axes(crease_to_eye(position), across, up);
         vec2 middle = (vec2(texel) + 0.5 - crease_view.guard) * float(crease_divisor);
@@ -41,7 +41,7 @@ void crease_build(ivec2 texel) {
         vec4 sum;
         int layer = crease_summed_area_adaptive_layer_of(texel, box, sum);
         // By a margin, so that rounding does not scatter a surface that faces the eye over both; z points to the eye.
-        if (own.z / own.w - sum.z / sum.w > 0.01 * crease_radius)
+        if (position.z - crease_area_mean(sum).z > 0.01 * crease_radius)
             table = first + layer;
     }
     for (int i = first; i < min(2 * first, crease_summed_area_adaptive_layers); ++i)

@@ -6,9 +6,9 @@
 static_assert(crease::offers<crease::sample_box, crease::area_taps>);
 static_assert(!crease::offers<crease::sample_box, crease::screen_taps>);
 
-TEST_CASE("sample_box proposes areas, and estimators of single taps refuse it") {
+TEST_CASE("sample_box proposes areas, which single layers refuse") {
     CHECK(crease::recipe("sample_box/summed_area/mean_height"));
     CHECK(crease::recipe("sample_box/single_layer/hbao_plus").error() ==
-          "crease::effect: the estimator needs taps on the screen, which the sampler does not propose "
-          "(hbao_plus, sample_box)");
+          "crease::effect: the sampler proposes areas, and the depth source holds no means over them "
+          "(sample_box, single_layer)");
 }
