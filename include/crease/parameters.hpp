@@ -41,7 +41,7 @@ struct parameters {
     std::uint32_t frame = 0;  ///< index that changes the per-pixel randomness
     float opacity = 1;        ///< see the settings of what samples the layers, in (0, 1]
     float front_reach = 0;    ///< see the fold's settings
-    float falloff = 1;        ///< see the estimator's settings, > 0
+    float falloff = 1;        ///< see the estimator's settings
     float unused[2] = {0, 0}; ///< pads to a multiple of 16 bytes
 
     constexpr bool operator==(const parameters&) const = default;

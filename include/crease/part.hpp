@@ -76,15 +76,17 @@ struct encoding {
 struct step_constant {
     std::string_view name;
     int value;
+    std::string_view of{}; ///< takes the place of the part's name, where parts share the body
 };
 
 /// What the body of a step defines.
 enum class step_kind : unsigned char {
     evaluate, ///< `crease_result crease_evaluate(ivec2 pixel)`: a filter's, and the main pass's
     build,    ///< `void crease_build(ivec2 texel)`, that stores to what the step writes: a depth source's
-    rows,     ///< `void crease_build_line(int line)`, which a whole workgroup calls for each row: a depth
-              ///< source's
-    columns   ///< the same for each column
+    rows,     ///< `void crease_build_line(int line)`, which the invocations of a workgroup in a row call
+              ///< together for a row: a depth source's. The workgroup's height is that many rows, and the
+              ///< last lines may lie outside
+    columns   ///< the same for a column, of the invocations in a column of the workgroup
 };
 
 /// A pass as a part describes it.
@@ -92,13 +94,17 @@ struct step {
     std::string_view name; ///< of the pass
     const glsl_file* body = nullptr;
     step_kind kind = step_kind::evaluate;
-    array_view<const role> includes{}; ///< roles whose functions the body calls
+    array_view<const role> includes{};            ///< roles whose functions the body calls
+    array_view<const trait* const> needs{};       ///< of a build: other parts' extras that the body calls
+    array_view<const glsl_file* const> helpers{}; ///< GLSL of a build that must stand before the body
     array_view<const step_constant> constants{};
     bool full_size_input = false;               ///< a filter's: whether that must be as large as the picture
     array_view<const std::string_view> reads{}; ///< the part's own resources that the body reads
     array_view<const std::string_view>
         writes{};                            ///< the part's own resources that a build fills, all of one size
+    access how = access::store;              ///< how a build fills them; or modify
     int group_width = 16, group_height = 16; ///< a build's workgroup, invocations
+    int from = 0; ///< a build's: the part's first number from which on the step is there
 };
 
 /// How a geometry pass fills a resource; its body defines `void crease_capture(vec3 anchor)`.
@@ -110,7 +116,7 @@ struct capture_step {
     access how = access::attachment;   ///< or modify
 };
 
-/// GLSL of a part that is there only where another part needs it.
+/// GLSL of a part that is there only where another part, or one of its steps, needs it.
 struct extra {
     const trait* on_need; ///< the trait that the part offers by it
     const glsl_file* glsl;

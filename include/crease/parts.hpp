@@ -14,11 +14,15 @@
 #include <crease/capture/stratified.hpp>
 #include <crease/depth/single_layer.hpp>
 #include <crease/depth/stochastic_layers.hpp>
+#include <crease/depth/summed_area.hpp>
+#include <crease/depth/summed_area_adaptive.hpp>
+#include <crease/depth/summed_area_uniform.hpp>
 #include <crease/dialect/opengl.hpp>
 #include <crease/dialect/vulkan.hpp>
 #include <crease/estimator/hbao.hpp>
 #include <crease/estimator/hbao_plus.hpp>
 #include <crease/estimator/line_volume.hpp>
+#include <crease/estimator/mean_height.hpp>
 #include <crease/estimator/point_volume.hpp>
 #include <crease/estimator/ssao.hpp>
 #include <crease/estimator/unsharp_mask.hpp>
@@ -31,11 +35,13 @@
 #include <crease/output/bent_cone.hpp>
 #include <crease/output/shade.hpp>
 #include <crease/output/visibility_only.hpp>
+#include <crease/sampler/box_area.hpp>
 #include <crease/sampler/box_window.hpp>
 #include <crease/sampler/directions.hpp>
 #include <crease/sampler/hemisphere_lines.hpp>
 #include <crease/sampler/hemisphere_points.hpp>
 #include <crease/sampler/poisson_disk.hpp>
+#include <crease/sampler/sample_box.hpp>
 #include <crease/sampler/sphere_lines.hpp>
 #include <crease/sampler/sphere_points.hpp>
 #include <crease/stage/compute.hpp>
@@ -60,10 +66,16 @@ inline constexpr const part* all_parts[] = {
     &sphere_lines_part::description,
     &hemisphere_lines_part::description,
     &box_window_part::description,
+    &sample_box::description,
+    &box_area_part::description,
     &single_layer::description,
     &stochastic_layers_part::description,
+    &summed_area_part::description,
+    &summed_area_uniform_part::description,
+    &summed_area_adaptive_part::description,
     &hbao::description,
     &hbao_plus::description,
+    &mean_height_part::description,
     &ssao::description,
     &point_volume::description,
     &line_volume::description,

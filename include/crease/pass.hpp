@@ -24,8 +24,8 @@ enum class dialect_kind : unsigned char {
 /// How a compute pass covers its output.
 enum class dispatch : unsigned char {
     texels, ///< one invocation for each texel
-    rows,   ///< one workgroup for each row: (1, height, 1)
-    columns ///< one workgroup for each column: (width, 1, 1)
+    rows,   ///< a workgroup as wide as the image, whatever its width: (1, height / group height, 1)
+    columns ///< a workgroup as high as the image, whatever its height: (width / group width, 1, 1)
 };
 
 /// How a pass touches a resource.

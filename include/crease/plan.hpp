@@ -113,9 +113,12 @@ constexpr void add_resource(plan& p, const resource& wanted) {
                    (r.life == lifetime::transient && p.find(role::second_view) ? 2 : 1);
     if (r.samples_by.number >= 0)
         r.samples = samples_for(count_of(r.samples_by, source));
+    if (r.divisor_by >= 0)
+        r.size.divisor = static_cast<unsigned>(source.numbers[r.divisor_by]);
     if (r.fill)
         r.count = static_cast<unsigned>(source.numbers[0]);
     r.layers_by = r.samples_by = {};
+    r.divisor_by = -1;
 }
 
 constexpr void add_resources(plan& p, array_view<const resource> wanted) {
@@ -148,6 +151,8 @@ constexpr void add_capture(plan& p, const choice& carrier, int view, std::string
 /// The steps of the depth source, which fill what the main pass reads of it.
 constexpr void add_builds(plan& p, const choice& source, int view, unsigned divisor) {
     for (const step& s : source.what->steps) {
+        if (source.numbers[0] < s.from)
+            continue;
         planned_pass pass{.what = &s, .body = s.body, .owner = source, .view = view};
         for (std::string_view name : s.writes)
             pass.outputs.add(p.index_of(name));

@@ -279,7 +279,7 @@ constexpr program write_evaluate(const plan& p, const planned_pass& pass) {
         to.write_workgroup(first);
     to.write_constants(first);
     for (const step_constant& c : pass.what->constants)
-        to.write_constant(pass.owner.what->name, c.name, c.value);
+        to.write_constant(c.of.empty() ? pass.owner.what->name : c.of, c.name, c.value);
     to.write_constant("", "divisor", static_cast<int>(pass.size.divisor));
     if (pass.input >= 0)
         to.write_constant("", "input_divisor", static_cast<int>(pass.input_divisor));
@@ -307,6 +307,12 @@ constexpr program write_build(const plan& p, const planned_pass& pass) {
     to.add_files_of(s.includes);
     if (const choice* fold = p.find(role::fold))
         to.add_file(fold->what->packs);
+    for (const choice& c : p.choices)
+        for (const extra& e : c.what->extras)
+            if (has(s.needs, e.on_need))
+                to.add_file(e.glsl);
+    for (const glsl_file* helper : s.helpers)
+        to.add_file(helper);
     to.add_file(s.body);
     to.add_file(shell_of(s.kind));
 
@@ -315,7 +321,7 @@ constexpr program write_build(const plan& p, const planned_pass& pass) {
     for (std::string_view name : s.reads)
         to.bind(name, p.index_of(name, pass.view), access::sample);
     for (std::size_t i = 0; i < pass.outputs.size(); ++i)
-        to.bind(p.resources[pass.outputs[i]].name, pass.outputs[i], access::store);
+        to.bind(p.resources[pass.outputs[i]].name, pass.outputs[i], s.how);
     to.number_bindings();
 
     to.add_workgroup(s.group_width, s.group_height);
@@ -329,7 +335,7 @@ constexpr program write_build(const plan& p, const planned_pass& pass) {
     to.write_workgroup(first);
     to.write_constants(first);
     for (const step_constant& c : s.constants)
-        to.write_constant(pass.owner.what->name, c.name, c.value);
+        to.write_constant(c.of.empty() ? pass.owner.what->name : c.of, c.name, c.value);
     to.write_constant("", "divisor", static_cast<int>(pass.size.divisor));
     to.write_view(pass.view);
     to.out.interface << "#define crease_build_size imageSize(crease_" << p.resources[pass.outputs[0]].name

@@ -95,6 +95,8 @@ struct resource {
     bool arrayed = false;    ///< an array image, also where it has one layer
     std::uint32_t clear = 0; ///< what each component of a captured storage image holds before the capture
     counted layers_by{}, samples_by{}; ///< of a part's description; an effect has the counts
+    int divisor_by = -1; ///< of a part's description: index of the depth source's number that is the divisor
+                         ///< of the size; -1: that is fixed
     void (*fill)(std::span<std::uint32_t> texels,
                  unsigned count) = nullptr; ///< of a constant: its texels, row after row
     unsigned count = 0;                     ///< what `fill` takes: the first number of the depth source

@@ -1,4 +1,4 @@
-// crease::effect: the estimator needs single layers of depth, which the depth source does not hold
+// crease::effect: single layers of depth are needed, which the depth source does not hold
 // (hbao, mean_depth)
 // no recipe says this
 // SPDX-License-Identifier: MIT

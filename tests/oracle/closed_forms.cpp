@@ -13,10 +13,15 @@ namespace {
 using oracle::lens;
 using kind = oracle::surface::kind;
 
-const char* const recipes[] = {
-    "hemisphere_points:16/single_layer/ssao",         "directions:8x4/single_layer/hbao",
-    "directions:8x4/single_layer/hbao_plus",          "poisson_disk:16/single_layer/hbao_plus",
-    "hemisphere_points:16/single_layer/point_volume", "hemisphere_lines:12/single_layer/line_volume"};
+const char* const recipes[] = {"hemisphere_points:16/single_layer/ssao",
+                               "directions:8x4/single_layer/hbao",
+                               "directions:8x4/single_layer/hbao_plus",
+                               "poisson_disk:16/single_layer/hbao_plus",
+                               "hemisphere_points:16/single_layer/point_volume",
+                               "hemisphere_lines:12/single_layer/line_volume",
+                               "sample_box/summed_area/mean_height",
+                               "sample_box/summed_area_uniform:5x2/mean_height",
+                               "sample_box/summed_area_adaptive:4x2/mean_height"};
 
 float least(const std::vector<float>& image) {
     return *std::min_element(image.begin(), image.end());

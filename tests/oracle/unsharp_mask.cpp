@@ -41,15 +41,15 @@ std::vector<double> listing(const oracle::picture& p, int kernel_dimension, doub
 
 /// Checks every pixel against the listing, with the threshold as it is and as rounding may move it.
 void check_listing(const oracle::picture& p, const std::vector<float>& shade, int kernel_dimension,
-                   double threshold) {
+                   double threshold, double tolerance = 20 * rounding) {
     const std::vector<double> expected = listing(p, kernel_dimension, threshold);
     const std::vector<double> fewer = listing(p, kernel_dimension, threshold - rounding);
     const std::vector<double> more = listing(p, kernel_dimension, threshold + rounding);
     std::size_t apart = 0, on_threshold = 0;
     for (std::size_t i = 0; i < expected.size(); ++i) {
         const auto [least, most] = std::minmax({expected[i], fewer[i], more[i]});
-        apart += !(shade[i] > least - 20 * rounding && shade[i] < most + 20 * rounding);
-        on_threshold += most - least > 20 * rounding;
+        apart += !(shade[i] > least - tolerance && shade[i] < most + tolerance);
+        on_threshold += most - least > tolerance;
     }
     CHECK(apart == 0);
     CHECK(on_threshold < expected.size() / 20);
@@ -111,4 +111,86 @@ TEST_CASE("the shade goes through the filters") {
         for (float shade :
              shades(p, std::string("box_window:15/single_layer/unsharp_mask/shade") + filters, 0.02f))
             CHECK(std::abs(shade) < 1e-5f);
+}
+
+TEST_CASE("without a threshold a window by one table is the listing's at every pixel") {
+    for (int size : {2, 15, 40, 120}) // the last takes in the whole picture and more
+        for (lens seen_by : {lens::standard, lens::off_centre}) {
+            CAPTURE(size);
+            const oracle::picture p = oracle::draw(oracle::still_life(), seen_by, 97, 61);
+            // A sum over an area is as exact as the places of the table, however few its texels.
+            const double tolerance = 20 * (rounding + 2e-4 / (size * size));
+            for (const char* parts : {"/shade", "/shade/fragment", "/shade/linear_depth"})
+                check_listing(
+                    p,
+                    shades(p, "box_area:" + std::to_string(size) + "x1/summed_area/unsharp_mask" + parts,
+                           1.0f),
+                    size, 1.0, tolerance);
+        }
+    const oracle::picture one = oracle::draw(oracle::still_life(), lens::standard, 1, 1);
+    CHECK(std::abs(shades(one, "box_area:15/summed_area/unsharp_mask/shade", 1.0f)[0]) < 20 * rounding);
+}
+
+TEST_CASE("with a threshold a window by tables leaves layers out") {
+    for (int layers : {1, 8, 64})
+        for (double threshold : {0.02, 0.1, 1.0}) {
+            CAPTURE(layers);
+            CAPTURE(threshold);
+            const oracle::picture p = oracle::draw(oracle::still_life(), lens::standard, 97, 61);
+            const std::vector<float> shade = shades(
+                p, "box_area:15x1/summed_area_uniform:" + std::to_string(layers) + "/unsharp_mask/shade",
+                static_cast<float>(threshold));
+            std::vector<double> expected;
+            for (int y = 0; y < p.height; ++y)
+                for (int x = 0; x < p.width; ++x)
+                    expected.push_back(p.background(x, y)
+                                           ? 0
+                                           : oracle::unsharp_shade_of_layers(
+                                                 p, x, y, 15, near_plane, far_plane, threshold, 20, layers));
+            // A texel between two layers may fall into either.
+            const oracle::difference d = oracle::compare(shade, expected);
+            CHECK(d.typical < 20 * rounding);
+            CHECK(d.mean < 20 * rounding);
+        }
+}
+
+TEST_CASE("more layers come nearer to the threshold of the listing") {
+    const oracle::picture p = oracle::draw(oracle::still_life(), lens::standard, 97, 61);
+    const std::vector<double> expected = listing(p, 40, 0.02);
+    double before = 1e9;
+    for (int layers : {4, 16, 64}) {
+        const double apart =
+            oracle::compare(
+                shades(p,
+                       "box_area:40x1/summed_area_uniform:" + std::to_string(layers) + "/unsharp_mask/shade",
+                       0.02f),
+                expected)
+                .mean;
+        MESSAGE(layers << " layers: " << apart << " of shade from the listing");
+        CHECK(apart < before);
+        before = apart;
+    }
+}
+
+TEST_CASE("a window by smaller tables or adaptive layers has no shade on a facing plane") {
+    const oracle::picture p = oracle::draw({{kind::plane, {0, 0, -3}, {0, 0, 1}}}, lens::standard, 50, 30);
+    for (const char* source : {"summed_area:2", "summed_area:3", "summed_area_uniform:16x2",
+                               "summed_area_adaptive:4", "summed_area_adaptive:4x4"})
+        for (float shade : shades(p, "box_area:40/" + std::string(source) + "/unsharp_mask/shade", 0.02f))
+            CHECK(std::abs(shade) < 20 * rounding);
+}
+
+TEST_CASE("a window that is one area differs from the listing only where it reaches past the far edges") {
+    const oracle::picture p = oracle::draw(oracle::still_life(), lens::standard, 97, 61);
+    const std::vector<float> whole = shades(p, "box_area:15x1/summed_area/unsharp_mask/shade", 1.0f);
+    const std::vector<float> one = shades(p, "box_area:15/summed_area/unsharp_mask/shade", 1.0f);
+    bool differs = false;
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x) {
+            const bool past = x + 7 > p.width || y + 7 > p.height;
+            const float apart = std::abs(whole[p.index(x, y)] - one[p.index(x, y)]);
+            differs = differs || apart > 1e-3f;
+            CHECK((past || apart <= 1e-6f));
+        }
+    CHECK(differs);
 }

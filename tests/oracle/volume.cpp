@@ -120,28 +120,66 @@ double line_volume(const picture& p, const receiver& r, const settings& s, const
     return beyond_a_plane(filled, whole, hemisphere);
 }
 
+namespace {
+
+// Equation (1) at a place of the depth buffer in [0, 1].
+double linearize_depth(const picture& p, double u, double v, double near, double far) {
+    const int x = std::min(static_cast<int>(std::floor(u * p.width + 1e-9)), p.width - 1);
+    const int y = std::min(static_cast<int>(std::floor(v * p.height + 1e-9)), p.height - 1);
+    const double z = p.device[p.index(x, y)];
+    return (2.0 * near) / (far + near - z * (far - near));
+}
+
+}
+
 double unsharp_shade(const picture& p, int i, int j, int kernel_dimension, double near, double far,
                      double threshold, double factor) {
-    const auto linearize_depth = [&](double u, double v) {
-        const int x = std::min(static_cast<int>(std::floor(u * p.width + 1e-9)), p.width - 1);
-        const int y = std::min(static_cast<int>(std::floor(v * p.height + 1e-9)), p.height - 1);
-        const double z = p.device[p.index(x, y)];
-        return (2.0 * near) / (far + near - z * (far - near));
-    };
+    const double own = linearize_depth(p, (i + 0.5) / p.width, (j + 0.5) / p.height, near, far);
     double sum = 0, neighbour_count = 0;
     const int half = kernel_dimension / 2;
     for (int x = i - half; x < i + half; x++)
         for (int y = j - half; y < j + half; y++) {
             const double u = static_cast<double>(x) / p.width, v = static_cast<double>(y) / p.height;
             if (u >= 0.0 && u <= 1.0 && v >= 0.0 && v <= 1.0 &&
-                std::abs(linearize_depth((i + 0.5) / p.width, (j + 0.5) / p.height) - linearize_depth(u, v)) <
-                    threshold) {
-                sum += linearize_depth(u, v);
+                std::abs(own - linearize_depth(p, u, v, near, far)) < threshold) {
+                sum += linearize_depth(p, u, v, near, far);
                 neighbour_count++;
             }
         }
     sum = sum / neighbour_count;
-    return factor * (linearize_depth((i + 0.5) / p.width, (j + 0.5) / p.height) - std::max(0.0, sum));
+    return factor * (own - std::max(0.0, sum));
+}
+
+double unsharp_shade_of_layers(const picture& p, int i, int j, int kernel_dimension, double near, double far,
+                               double threshold, double factor, int layers) {
+    double nearest = 1, farthest = 0;
+    for (float z : p.device) {
+        const double depth = (2.0 * near) / (far + near - z * (far - near));
+        nearest = std::min(nearest, depth);
+        farthest = std::max(farthest, depth);
+    }
+    std::vector<double> sums(4 * static_cast<std::size_t>(layers)), counts(sums.size());
+    const int half = kernel_dimension / 2;
+    for (int x = i - half; x < i + half; x++)
+        for (int y = j - half; y < j + half; y++) {
+            if (x < 0 || x > p.width || y < 0 || y > p.height)
+                continue;
+            const double depth = linearize_depth(p, static_cast<double>(x) / p.width,
+                                                 static_cast<double>(y) / p.height, near, far);
+            const int layer = static_cast<int>((depth - nearest) / (farthest - nearest) * layers);
+            const int past = (x == p.width ? 1 : 0) + (y == p.height ? 2 : 0);
+            const auto of = static_cast<std::size_t>(4 * std::min(layer, layers - 1) + past);
+            sums[of] += depth;
+            counts[of] += 1;
+        }
+    const double own = linearize_depth(p, (i + 0.5) / p.width, (j + 0.5) / p.height, near, far);
+    double sum = 0, count = 0;
+    for (std::size_t of = 0; of < sums.size(); ++of)
+        if (counts[of] > 0 && std::abs(own - sums[of] / counts[of]) < threshold) {
+            sum += sums[of];
+            count += counts[of];
+        }
+    return count > 0 ? factor * (own - sum / count) : 0;
 }
 
 }

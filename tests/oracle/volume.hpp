@@ -33,4 +33,10 @@ double line_volume(const picture& p, const receiver& r, const settings& s, const
 double unsharp_shade(const picture& p, int i, int j, int kernel_dimension, double near, double far,
                      double threshold, double factor);
 
+/// The same where texels are in layers of equal thickness in the listing's depth, and a layer of the window
+/// is left out as a whole: where its mean is as far from the texel's depth as the threshold. What the listing
+/// reads once more past an edge stands apart.
+double unsharp_shade_of_layers(const picture& p, int i, int j, int kernel_dimension, double near, double far,
+                               double threshold, double factor, int layers);
+
 }

@@ -30,6 +30,7 @@ int crease_view_index = 0;
 #define crease_parameters_place std140, set = 0, binding = 0
 layout(set = 0, binding = 1) uniform usampler2D crease_input;
 )";
+constexpr const char* workgroup = "layout(local_size_x = 16, local_size_y = 16) in;\n";
 
 /// A resource as GLSL declares it.
 std::string declared(const crease::resource& r, crease::access how, unsigned slot) {
@@ -63,7 +64,10 @@ std::string resources_for(const std::string& file) {
             for (const crease::resource& r : p->resources)
                 add(r.name, crease::access::sample);
         for (const crease::step& s : p->steps) {
-            if (!is(s.body))
+            bool in_step = is(s.body);
+            for (const crease::glsl_file* helper : s.helpers)
+                in_step = in_step || is(helper);
+            if (!in_step)
                 continue;
             for (std::string_view name : s.reads)
                 add(name, crease::access::sample);
@@ -79,14 +83,17 @@ std::string resources_for(const std::string& file) {
 /// The constants of all parts, which a file alone may name.
 std::string constants() {
     std::string text;
+    std::set<std::string> of_steps;
     for (const crease::part* p : crease::all_parts) {
         for (const crease::number& n : p->numbers)
             text += "const int crease_" + std::string(p->name) + "_" + std::string(n.name) + " = " +
                     std::to_string(n.fallback) + ";\n";
-        if (!p->steps.empty())
-            for (const crease::step_constant& c : p->steps[0].constants)
-                text += "const int crease_" + std::string(p->name) + "_" + std::string(c.name) + " = 0;\n";
+        for (const crease::step& s : p->steps)
+            for (const crease::step_constant& c : s.constants)
+                of_steps.insert(std::string(c.of.empty() ? p->name : c.of) + "_" + std::string(c.name));
     }
+    for (const std::string& name : of_steps)
+        text += "const int crease_" + name + " = 1;\n";
     return text;
 }
 
@@ -94,7 +101,7 @@ std::string constants() {
 std::string structs_for(const std::string& text) {
     std::string structs;
     const auto add = [&](std::string_view name, std::string_view file, std::string_view ends) {
-        const std::string wanted = "struct " + std::string(name) + " {";
+        const std::string wanted = "struct " + std::string(name) + (name.ends_with(" ") ? "{" : " {");
         if (text.find(std::string(name)) == std::string::npos || text.find(wanted) != std::string::npos)
             return;
         const std::string from = read(fs::path(CREASE_TEMPLATES) / file);
@@ -112,11 +119,14 @@ std::string structs_for(const std::string& text) {
     add("crease_gathered", "output/visibility_only.glsl", "};");
     add("crease_layers", holds("layers.depths") ? "depth/stochastic_layers.glsl" : "depth/single_layer.glsl",
         "};");
+    add("crease_areas ", "depth/summed_area.glsl", "};");
     const bool in_space = holds(".point") || holds("sphere_points");
     const bool lines = holds("tap.near") || holds("crease_line_clip");
+    const bool areas = holds("vec4 area") || holds("crease_sample_area");
     add("crease_tap",
         in_space ? "sampler/point_tap.glsl"
         : lines  ? "sampler/line_tap.glsl"
+        : areas  ? "sampler/area_tap.glsl"
                  : "sampler/screen_tap.glsl",
         "};");
     add("crease_pattern", "sampler/directions.glsl", "};");
@@ -126,6 +136,7 @@ std::string structs_for(const std::string& text) {
     add("crease_contribution",
         plus     ? "estimator/hbao_plus.glsl"
         : points ? "estimator/ssao.glsl"
+        : areas  ? "estimator/mean_height.glsl"
                  : "estimator/hbao.glsl",
         "};");
     return structs;
@@ -143,11 +154,13 @@ TEST_CASE("each GLSL file alone") {
         CAPTURE(name);
         const std::string own = read(entry.path());
         CHECK(own.size() <= crease::glsl_file::longest);
-        const std::string before = std::string(prelude) + constants() + resources_for(name);
-        const std::string text = structs_for(own);
         const crease::spirv::shader_stage stage = name.starts_with("capture/")
                                                       ? crease::spirv::shader_stage::fragment
                                                       : crease::spirv::shader_stage::compute;
+        const std::string before = std::string(prelude) +
+                                   (stage == crease::spirv::shader_stage::compute ? workgroup : "") +
+                                   constants() + resources_for(name);
+        const std::string text = structs_for(own);
         const crease::piece pieces[] = {{"prelude", before}, crease::parameters_glsl,
                                         crease::types_glsl,  {"structs", text},
                                         {name, own},         {"end", "void main() {}\n"}};

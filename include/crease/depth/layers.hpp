@@ -7,7 +7,7 @@ namespace crease {
 
 /// Layers of depth that can be told one by one.
 CREASE_TRAIT(depth_layers, depth_source,
-             "the estimator needs single layers of depth, which the depth source does not hold");
+             "single layers of depth are needed, which the depth source does not hold");
 
 /// Layers of two cameras.
 CREASE_TRAIT(layers_of_two_views, depth_source,

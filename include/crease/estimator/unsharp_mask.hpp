@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <crease/depth/areas.hpp>
 #include <crease/depth/layers.hpp>
 #include <crease/sampler/taps.hpp>
 
@@ -11,10 +12,23 @@ inline constexpr glsl_file unsharp_mask_glsl{
 #include <crease/estimator/unsharp_mask.glsl>
 };
 
+inline constexpr glsl_file unsharp_mask_depth_glsl{
+    "estimator/unsharp_mask_depth.glsl",
+#include <crease/estimator/unsharp_mask_depth.glsl>
+};
+
+inline constexpr glsl_file unsharp_mask_areas_glsl{
+    "estimator/unsharp_mask_areas.glsl",
+#include <crease/estimator/unsharp_mask_areas.glsl>
+};
+
 /// Estimator: the unsharp mask of the depth buffer. Depth is measured against the far plane; where there is
-/// none, nothing is occluded.
+/// none, nothing is occluded. Over depth sources of areas a layer is left out as a whole, by its mean.
 struct unsharp_mask {
-    using needs = traits<window_taps, depth_layers>;
+    using needs = traits<window_taps>;
+    static constexpr const glsl_file* helpers[] = {&unsharp_mask_depth_glsl};
+    static constexpr extra more[] = {{&area_means::value, &unsharp_mask_depth_glsl},
+                                     {&area_means::value, &unsharp_mask_areas_glsl}};
     static constexpr setting reads[] = {
         {"threshold", &parameters::threshold, 0.02f, 1e-6f, 1,
          "difference of linearised depth from which a neighbour is left out; the far plane has 1"},
@@ -27,8 +41,11 @@ struct unsharp_mask {
         .summary = "depth less its mean over a window",
         .source = "unsharp-mask-ssao, (1) and listing",
         .glsl = &unsharp_mask_glsl,
+        .helpers = helpers,
         .settings = reads,
         .needs = needs::list,
+        .offers = traits<area_means>::list,
+        .extras = more,
         .fold = &fold_max_glsl,
     };
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <crease/depth/layers.hpp>
 #include <crease/sampler/taps.hpp>
 
 namespace crease {
@@ -11,6 +12,7 @@ inline constexpr glsl_file box_window_glsl{
 };
 
 struct box_window_part {
+    using needs = traits<depth_layers>;
     static constexpr const glsl_file* helpers[] = {&screen_tap_glsl};
     static constexpr number takes[] = {
         {"size", 2, 256, 15,
@@ -23,6 +25,7 @@ struct box_window_part {
         .glsl = &box_window_glsl,
         .helpers = helpers,
         .numbers = takes,
+        .needs = needs::list,
         .offers = traits<window_taps>::list,
     };
 };

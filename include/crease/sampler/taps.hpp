@@ -23,9 +23,22 @@ CREASE_TRAIT(point_taps, sampler,
 CREASE_TRAIT(line_taps, sampler,
              "the estimator needs taps along lines through a volume, which the sampler does not propose");
 
-/// Taps at each texel of a window around the receiver's.
+/// Taps that take in each texel of a window around the receiver's.
 CREASE_TRAIT(window_taps, sampler,
              "the estimator needs taps at each texel of a window, which the sampler does not propose");
+
+/// Taps that take in an area of the picture.
+CREASE_TRAIT(area_taps, sampler,
+             "the depth source holds means over areas, and the sampler proposes single texels");
+
+/// A tap of the area that the sample box of the AO radius covers.
+CREASE_TRAIT(sample_area_taps, sampler,
+             "the estimator needs the area of the sample box, which the sampler does not propose");
+
+inline constexpr glsl_file area_tap_glsl{
+    "sampler/area_tap.glsl",
+#include <crease/sampler/area_tap.glsl>
+};
 
 inline constexpr glsl_file screen_tap_glsl{
     "sampler/screen_tap.glsl",

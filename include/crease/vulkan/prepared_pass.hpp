@@ -81,9 +81,8 @@ private:
                 invocations > most.maxComputeWorkGroupInvocations)
                 throw error("pass '" + name() + "' wants workgroups of " + std::to_string(values[0]) + " x " +
                             std::to_string(values[1]) + ", which the device '" + on.name() + "' cannot run");
-            groups_[axis] = in_lines[axis]                     ? texels[axis]
-                            : pass_.covers == dispatch::texels ? (texels[axis] + size - 1) / size
-                                                               : 1;
+            groups_[axis] =
+                pass_.covers == dispatch::texels || in_lines[axis] ? (texels[axis] + size - 1) / size : 1;
             if (groups_[axis] > most.maxComputeWorkGroupCount[axis])
                 throw error("pass '" + name() + "' wants " + std::to_string(groups_[axis]) +
                             " workgroups in a row, more than the device '" + on.name() + "' can run");

@@ -4,7 +4,7 @@ R"glsl("
 // SPDX-License-Identifier: MIT
 void crease_build_line(int line);
 
-void main() { crease_build_line(int(gl_WorkGroupID.x)); }
+void main() { crease_build_line(int(gl_GlobalInvocationID.x)); }
 #ifdef __cplusplus
 ")glsl"
 #endif

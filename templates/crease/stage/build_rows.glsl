@@ -4,7 +4,7 @@ R"glsl("
 // SPDX-License-Identifier: MIT
 void crease_build_line(int line);
 
-void main() { crease_build_line(int(gl_WorkGroupID.y)); }
+void main() { crease_build_line(int(gl_GlobalInvocationID.y)); }
 #ifdef __cplusplus
 ")glsl"
 #endif

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/sampler/taps.hpp>
+
+namespace crease {
+
+/// Means over areas of the picture, layer by layer.
+CREASE_TRAIT(area_layers, depth_source,
+             "the sampler proposes areas, and the depth source holds no means over them");
+
+/// What the means over areas are of, by three functions that the passes of the tables and the main pass call:
+/// `float crease_area_depth(float depth)`, the depth with which a texel counts, 0 where it does not;
+/// `vec3 crease_area_value(vec3 position, float centre)`, what is summed, its z the less the farther and next
+/// to 0 about the depth `centre`; and back, `vec3 crease_area_position(vec3 value, float centre)`. The
+/// estimator's `crease_contribution` has `occlusion` and `texels`.
+CREASE_TRAIT(area_means, estimator,
+             "the depth source holds means over areas, of which the estimator makes nothing");
+
+/// The fold of the layers of an area: their mean, weighed by the number of their texels.
+inline constexpr glsl_file fold_mean_glsl{
+    "core/fold_mean.glsl",
+#include <crease/core/fold_mean.glsl>
+};
+
+inline constexpr glsl_file sample_area_glsl{
+    "core/sample_area.glsl",
+#include <crease/core/sample_area.glsl>
+};
+
+inline constexpr glsl_file area_fill_glsl{
+    "depth/area_fill.glsl",
+#include <crease/depth/area_fill.glsl>
+};
+
+inline constexpr glsl_file area_layers_glsl{
+    "depth/area_layers.glsl",
+#include <crease/depth/area_layers.glsl>
+};
+
+inline constexpr glsl_file area_mean_glsl{
+    "depth/area_mean.glsl",
+#include <crease/depth/area_mean.glsl>
+};
+
+inline constexpr glsl_file area_query_glsl{
+    "depth/area_query.glsl",
+#include <crease/depth/area_query.glsl>
+};
+
+inline constexpr glsl_file area_texel_glsl{
+    "depth/area_texel.glsl",
+#include <crease/depth/area_texel.glsl>
+};
+
+inline constexpr glsl_file areas_sampled_glsl{
+    "depth/areas_sampled.glsl",
+#include <crease/depth/areas_sampled.glsl>
+};
+
+inline constexpr glsl_file areas_stored_glsl{
+    "depth/areas_stored.glsl",
+#include <crease/depth/areas_stored.glsl>
+};
+
+inline constexpr glsl_file range_glsl{
+    "depth/range.glsl",
+#include <crease/depth/range.glsl>
+};
+
+inline constexpr glsl_file range_columns_glsl{
+    "depth/range_columns.glsl",
+#include <crease/depth/range_columns.glsl>
+};
+
+inline constexpr glsl_file range_join_glsl{
+    "depth/range_join.glsl",
+#include <crease/depth/range_join.glsl>
+};
+
+inline constexpr glsl_file range_picture_glsl{
+    "depth/range_picture.glsl",
+#include <crease/depth/range_picture.glsl>
+};
+
+inline constexpr glsl_file scan_glsl{
+    "depth/scan.glsl",
+#include <crease/depth/scan.glsl>
+};
+
+/// What the depth sources of areas share: summed-area tables, and the steps that make them.
+///
+/// The tables are one array image of rgba32_float, filled and then summed in place, rows and then columns;
+/// texel (i, j) of a table is the sum over the texels up to and including it: xyz of what the estimator takes
+/// means of, w of their count. Counts are exact up to 2^24 texels. Places of a
+/// table are off by less than 1e-5 of its greatest sum, so small areas of large pictures are the least exact.
+/// As sums of positions are centred on the mean depth, a picture of one depth has sums of depth next to 0,
+/// and its mean is constant to 1e-4 of the depth at 3840 x 2160.
+namespace areas {
+
+/// The range of depth of the picture: nearest, farthest, mean, count of texels that count.
+inline constexpr resource range{.name = "range",
+                                .texels = format::rgba32_float,
+                                .life = lifetime::transient,
+                                .size = {.fixed_width = 1, .fixed_height = 1}};
+inline constexpr resource intermediates[] = {{.name = "range_of_columns",
+                                              .texels = format::rgba32_float,
+                                              .life = lifetime::transient,
+                                              .size = {.fixed_height = 1}}};
+
+/// The tables of a depth source.
+/// @param layers   how many tables
+/// @param divisor  index of the number by which their sides are smaller than the picture's
+constexpr resource tables(counted layers, int divisor) {
+    return {.name = "area_tables",
+            .texels = format::rgba32_float,
+            .life = lifetime::transient,
+            .size = {.guarded = true},
+            .arrayed = true,
+            .layers_by = layers,
+            .divisor_by = divisor};
+}
+
+/// What depth sources of areas need.
+using needs = traits<area_taps, area_means>;
+
+inline constexpr array_view<const trait* const> means = traits<area_means>::list;
+inline constexpr role view[] = {role::projection, role::depth_encoding};
+inline constexpr std::string_view range_name[] = {"range"}, columns_name[] = {"range_of_columns"},
+                                  tables_name[] = {"area_tables"};
+inline constexpr const glsl_file* join_helpers[] = {&range_join_glsl};
+inline constexpr const glsl_file* fill_helpers[] = {&range_glsl, &area_texel_glsl};
+inline constexpr const glsl_file* split_helpers[] = {&range_glsl,        &area_mean_glsl,  &area_texel_glsl,
+                                                     &areas_stored_glsl, &area_query_glsl, &sample_area_glsl};
+inline constexpr const glsl_file* query_helpers[] = {&area_layers_glsl, &range_glsl, &area_mean_glsl,
+                                                     &areas_sampled_glsl, &area_query_glsl};
+
+inline constexpr step range_of_columns{.name = "range_of_columns",
+                                       .body = &range_columns_glsl,
+                                       .kind = step_kind::columns,
+                                       .includes = view,
+                                       .needs = means,
+                                       .helpers = join_helpers,
+                                       .writes = columns_name};
+inline constexpr step range_of_picture{.name = "range_of_picture",
+                                       .body = &range_picture_glsl,
+                                       .kind = step_kind::rows,
+                                       .helpers = join_helpers,
+                                       .reads = columns_name,
+                                       .writes = range_name,
+                                       .group_width = 256,
+                                       .group_height = 1};
+
+/// Stores the texels of tables; its body defines which.
+constexpr step fill(std::string_view name, const glsl_file* body) {
+    return {.name = name,
+            .body = body,
+            .kind = step_kind::build,
+            .includes = view,
+            .needs = means,
+            .helpers = fill_helpers,
+            .reads = range_name,
+            .writes = tables_name};
+}
+
+/// The constants of a scan of the tables from `First` up to `End`, along the rows or the columns.
+template <int First, int End, int Axis>
+inline constexpr step_constant scanned[] = {
+    {"first", First, "scan"}, {"end", End, "scan"}, {"axis", Axis, "scan"}};
+
+template <int First, int End>
+constexpr step sum_rows(std::string_view name, int from = 0) {
+    return {.name = name,
+            .body = &scan_glsl,
+            .kind = step_kind::rows,
+            .constants = scanned<First, End, 0>,
+            .writes = tables_name,
+            .how = access::modify,
+            .from = from};
+}
+template <int First, int End>
+constexpr step sum_columns(std::string_view name, int from = 0) {
+    return {.name = name,
+            .body = &scan_glsl,
+            .kind = step_kind::columns,
+            .constants = scanned<First, End, 1>,
+            .writes = tables_name,
+            .how = access::modify,
+            .from = from};
+}
+
+}
+
+}

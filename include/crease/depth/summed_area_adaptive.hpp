@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/depth/areas.hpp>
+
+namespace crease {
+
+inline constexpr glsl_file summed_area_adaptive_glsl{
+    "depth/summed_area_adaptive.glsl",
+#include <crease/depth/summed_area_adaptive.glsl>
+};
+
+inline constexpr glsl_file summed_area_adaptive_split_glsl{
+    "depth/summed_area_adaptive_split.glsl",
+#include <crease/depth/summed_area_adaptive_split.glsl>
+};
+
+namespace areas {
+
+/// The tables from `First` on split the layers of one level.
+template <int First>
+inline constexpr step_constant splits[] = {{"split", First}};
+template <int First>
+constexpr step split(std::string_view name) {
+    return {.name = name,
+            .body = &summed_area_adaptive_split_glsl,
+            .kind = step_kind::build,
+            .includes = view,
+            .needs = means,
+            .helpers = split_helpers,
+            .constants = splits<First>,
+            .reads = range_name,
+            .writes = tables_name,
+            .how = access::modify,
+            .from = First + 1};
+}
+
+}
+
+struct summed_area_adaptive_part {
+    using needs = areas::needs;
+    static constexpr number takes[] = {
+        {"layers", 2, 8, 4, "that the recursive splits leave, and tables stored"},
+        {"divisor", 1, 4, 1, "how much smaller the sides of the tables are"},
+    };
+    static constexpr resource reads[] = {areas::tables({.number = 0}, 1), areas::range};
+
+    static constexpr step passes[] = {
+        areas::range_of_columns,
+        areas::range_of_picture,
+        areas::fill("downsample", &area_fill_glsl),
+        areas::sum_rows<0, 1>("sum_rows_0"),
+        areas::sum_columns<0, 1>("sum_columns_0"),
+        areas::split<1>("split_1"),
+        areas::sum_rows<1, 2>("sum_rows_1", 2),
+        areas::sum_columns<1, 2>("sum_columns_1", 2),
+        areas::split<2>("split_2"),
+        areas::sum_rows<2, 4>("sum_rows_2", 3),
+        areas::sum_columns<2, 4>("sum_columns_2", 3),
+        areas::split<4>("split_3"),
+        areas::sum_rows<4, 8>("sum_rows_3", 5),
+        areas::sum_columns<4, 8>("sum_columns_3", 5),
+    };
+    static constexpr part description{
+        .kind = role::depth_source,
+        .name = "summed_area_adaptive",
+        .summary = "summed-area tables of layers that are split by the mean around each texel",
+        .source = "statistical-volumetric-obscurance 2015, 4.4 and 4.6, Algorithm 2",
+        .glsl = &summed_area_adaptive_glsl,
+        .helpers = areas::query_helpers,
+        .numbers = takes,
+        .needs = needs::list,
+        .offers = traits<area_layers>::list,
+        .resources = reads,
+        .intermediates = areas::intermediates,
+        .steps = passes,
+        .fold = &fold_mean_glsl,
+    };
+};
+
+/// Depth source: `Layers` layers out of as many summed-area tables, of 1 / `Divisor` of the picture's size
+/// each way. The layers are split by the mean over the box of the AO radius.
+template <int Layers = 4, int Divisor = 1>
+struct summed_area_adaptive : summed_area_adaptive_part {
+    static constexpr int numbers[] = {Layers, Divisor};
+};
+
+}

@@ -1,0 +1,13 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// A tap has no layers before its fold: what an area holds is too much to keep for a batch of taps.
+struct crease_layers {
+    bool unused;
+};
+
+crease_layers crease_fetch_layers(vec2 texel) { return crease_layers(false); }
+#ifdef __cplusplus
+")glsl"
+#endif

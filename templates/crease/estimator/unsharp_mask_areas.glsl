@@ -1,0 +1,22 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// Means over areas are of the depth of (1), less that of the picture's mean depth, so that sums stay small; background
+// lies at the far plane.
+float crease_unsharp_mask_far();
+float crease_unsharp_mask_depth(float depth);
+
+float crease_area_depth(float depth) { return depth > 0.0 ? min(depth, crease_unsharp_mask_far()) : 0.0; }
+
+vec3 crease_area_value(vec3 position, float centre) {
+    return vec3(position.xy, crease_unsharp_mask_depth(centre) - crease_unsharp_mask_depth(-position.z));
+}
+
+vec3 crease_area_position(vec3 value, float centre) {
+    float seen = crease_unsharp_mask_depth(centre) - value.z;
+    return vec3(value.xy, -seen * crease_unsharp_mask_far() / (2.0 - seen));
+}
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,13 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// A tap that takes in an area of the picture.
+struct crease_tap {
+    vec4 area;   // left, top, right and bottom edge, texels
+    vec2 texel;  // in the middle
+    bool inside; // whether any of it may be in the picture
+};
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,40 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// The square around the receiver, as an area: the loops of unsharp-mask-ssao's listing. The listing counts both edges of
+// the picture in: a texel just past the far one reads the last, which is a tap of its own where it is asked for.
+
+struct crease_pattern {
+    vec2 rows; // top and bottom edge, texels
+};
+
+// The edges of the square along one axis, within the picture; or of the last texel, where the square reaches past it.
+vec2 crease_box_area_edges(float texel, float size, bool past) {
+    float before = texel - 0.5 - float(crease_box_area_size / 2);
+    float after = before + float(crease_box_area_size / 2 * 2);
+    float last = size + crease_view.guard;
+    if (past)
+        return vec2(after > last ? last - 1.0 : last, last);
+    return clamp(vec2(before, after), -crease_view.guard, last);
+}
+
+crease_pattern crease_pattern_begin(crease_receiver receiver) { return crease_pattern(vec2(0.0)); }
+
+int crease_direction_count() { return 1 + crease_box_area_past; }
+
+int crease_step_count() { return 1 + crease_box_area_past; }
+
+vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) {
+    pattern.rows = crease_box_area_edges(receiver.texel.y, crease_view.resolution.y, direction == 1);
+    return vec2(0.0);
+}
+
+crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
+    vec2 columns = crease_box_area_edges(receiver.texel.x, crease_view.resolution.x, step == 1);
+    vec4 area = vec4(columns.x, pattern.rows.x, columns.y, pattern.rows.y);
+    return crease_tap(area, receiver.texel, all(lessThan(area.xy, area.zw)));
+}
+#ifdef __cplusplus
+")glsl"
+#endif

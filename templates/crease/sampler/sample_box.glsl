@@ -1,0 +1,26 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// One tap: the area that the box around the receiver covers: statistical-volumetric-obscurance 4.2.
+
+vec4 crease_sample_area(vec2 texel, mat2 disk);
+
+struct crease_pattern {
+    bool unused;
+};
+
+crease_pattern crease_pattern_begin(crease_receiver receiver) { return crease_pattern(false); }
+
+int crease_direction_count() { return 1; }
+
+int crease_step_count() { return 1; }
+
+vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
+
+crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
+    return crease_tap(crease_sample_area(receiver.texel, receiver.disk), receiver.texel, true);
+}
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: MIT
+// Summed-area tables, their layers and statistical volumetric obscurance against the oracle's.
+#include "areas.hpp"
+#include "run.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <random>
+
+namespace {
+
+using oracle::lens;
+using kind = oracle::surface::kind;
+
+constexpr double one_step = 1.0 / 255;
+
+/// An effect that has run on a picture.
+struct rendered {
+    std::unique_ptr<crease::composition> composed;
+    crease::parameters how;
+    std::vector<float> visibility, tables, range;
+};
+
+rendered render(const oracle::picture& p, const std::string& text, double radius) {
+    const crease::recipe chosen{std::string_view(text)};
+    REQUIRE_MESSAGE(static_cast<bool>(chosen), chosen.error());
+    rendered r{std::make_unique<crease::composition>(chosen), {}, {}, {}, {}};
+    r.how = oracle::view_parameters(p, r.composed->view(), radius);
+    crease::vulkan::runner runner(oracle::device(), r.composed->view(), static_cast<unsigned>(p.width),
+                                  static_cast<unsigned>(p.height));
+    std::vector<float> normals;
+    for (const glm::vec3& n : p.normals)
+        normals.insert(normals.end(), {n.x, n.y, n.z, 0.0f});
+    std::vector<float> depth = p.device;
+    if (text.ends_with("/linear_depth"))
+        for (int y = 0; y < p.height; ++y)
+            for (int x = 0; x < p.width; ++x)
+                depth[p.index(x, y)] = p.background(x, y) ? 1e9f : static_cast<float>(-p.position(x, y).z);
+    runner.upload("depth", depth);
+    runner.upload("normal", normals);
+    runner.run(r.how);
+    r.visibility = runner.download("visibility");
+    r.tables = runner.download("area_tables");
+    r.range = runner.download("range");
+    return r;
+}
+
+/// The sums of a layer of a recipe's tables, with the centring undone: `before(x, y)` is exclusive.
+struct table {
+    const std::vector<float>& texels;
+    int width, height, layer;
+    double centre;
+
+    glm::dvec4 before(int x, int y) const {
+        if (x == 0 || y == 0)
+            return glm::dvec4(0);
+        const std::size_t at = 4 * static_cast<std::size_t>((layer * height + y - 1) * width + x - 1);
+        return {texels[at], texels[at + 1], texels[at + 2] - centre * texels[at + 3], texels[at + 3]};
+    }
+    glm::dvec4 over(int left, int top, int right, int bottom) const {
+        return before(right, bottom) - before(left, bottom) - before(right, top) + before(left, top);
+    }
+};
+
+/// Sums over the texels up to and including each, in double precision.
+std::vector<glm::dvec4> summed(const oracle::area_texels& t) {
+    std::vector<glm::dvec4> sums(t.texels.size());
+    for (int y = 0; y < t.height; ++y) {
+        glm::dvec4 row(0);
+        for (int x = 0; x < t.width; ++x) {
+            const std::size_t at = static_cast<std::size_t>(y * t.width + x);
+            row += glm::dvec4(t.texels[at].position, t.texels[at].count);
+            sums[at] = row + (y == 0 ? glm::dvec4(0) : sums[at - static_cast<std::size_t>(t.width)]);
+        }
+    }
+    return sums;
+}
+
+oracle::picture facing_plane(int width, int height) {
+    return oracle::draw({{kind::plane, {0, 0, -7.3}, {0, 0, 1}}}, lens::standard, width, height);
+}
+
+/// A picture of a huge size, without the time that drawing takes: a plane of depth that leans.
+oracle::picture huge_picture(bool leaning) {
+    oracle::picture p = facing_plane(1, 1);
+    p.width = 3840;
+    p.height = 2160;
+    p.projection = oracle::make_projection(lens::standard, 3840.0 / 2160);
+    const float one = p.device[0];
+    p.device.resize(std::size_t{3840} * 2160);
+    for (std::size_t i = 0; i < p.device.size(); ++i)
+        p.device[i] = leaning ? 0.9f + 0.09f * static_cast<float>(i % 3840) / 3840.0f : one;
+    p.normals.assign(p.device.size(), glm::vec3(0, 0, 1));
+    return p;
+}
+
+}
+
+TEST_CASE("tables hold the sums of all texels before, at any size") {
+    const auto check = [](const oracle::picture& p, int divisor) {
+        CAPTURE(p.width);
+        CAPTURE(p.height);
+        CAPTURE(divisor);
+        const rendered r =
+            render(p, "sample_box/summed_area:" + std::to_string(divisor) + "/mean_height/linear_depth", 0.5);
+        const oracle::area_texels t = oracle::downsample(p, divisor);
+        REQUIRE(r.tables.size() == 4 * t.texels.size());
+        const std::vector<glm::dvec4> expected = summed(t);
+        const double centre = r.range[2];
+        double greatest = 0, apart = 0;
+        bool counts_equal = true;
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            glm::dvec4 sum = expected[i];
+            sum.z += centre * sum.w;
+            for (int c = 0; c < 3; ++c) {
+                greatest = std::max(greatest, std::abs(sum[c]));
+                apart = std::max(apart, std::abs(sum[c] - r.tables[4 * i + static_cast<std::size_t>(c)]));
+            }
+            counts_equal = counts_equal && static_cast<double>(r.tables[4 * i + 3]) == sum.w;
+        }
+        CHECK(counts_equal);
+        CHECK(apart <= greatest * 1e-5 + 1e-6);
+    };
+    for (const glm::ivec2 size :
+         {glm::ivec2(97, 61), {1, 1}, {1, 9}, {300, 1}, {1, 300}, {641, 359}, {16, 16}})
+        for (int divisor : {1, 2, 3, 4})
+            check(oracle::draw(oracle::still_life(), lens::standard, size.x, size.y), divisor);
+    check(huge_picture(true), 1);
+}
+
+TEST_CASE("the range of the picture is that of its depths, and none of background alone") {
+    const oracle::picture p = oracle::draw(oracle::still_life(), lens::off_centre, 131, 77);
+    double nearest = 1e30, farthest = 0, sum = 0, count = 0;
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x)
+            if (!p.background(x, y)) {
+                const double depth = -p.position(x, y).z;
+                nearest = std::min(nearest, depth);
+                farthest = std::max(farthest, depth);
+                sum += depth;
+                count += 1;
+            }
+    const std::vector<float> range = render(p, "sample_box/summed_area/mean_height", 0.5).range;
+    CHECK(range[0] == doctest::Approx(nearest).epsilon(1e-5));
+    CHECK(range[1] == doctest::Approx(farthest).epsilon(1e-4));
+    CHECK(range[2] == doctest::Approx(sum / count).epsilon(1e-4));
+    CHECK(static_cast<double>(range[3]) == count);
+    const oracle::picture empty = oracle::draw({}, lens::standard, 20, 20);
+    CHECK(render(empty, "sample_box/summed_area/mean_height", 0.5).range == std::vector<float>(4, 0.0f));
+}
+
+TEST_CASE("the mean of a picture of one depth is that depth, of any area at 3840 x 2160") {
+    const oracle::picture p = huge_picture(false);
+    const rendered r = render(p, "sample_box/summed_area/mean_height", 0.5);
+    const table all{r.tables, p.width, p.height, 0, r.range[2]};
+    const glm::dvec4 whole = all.over(0, 0, p.width, p.height);
+    std::mt19937 random(1);
+    for (int i = 0; i < 20000; ++i) {
+        const int width = 1 + static_cast<int>(random() % (i % 2 ? 12 : 1000)),
+                  height = 1 + static_cast<int>(random() % (i % 3 ? 12 : 1000));
+        const int left = static_cast<int>(random() % static_cast<unsigned>(p.width - width + 1)),
+                  top = static_cast<int>(random() % static_cast<unsigned>(p.height - height + 1));
+        const glm::dvec4 sum = all.over(left, top, left + width, top + height);
+        REQUIRE(sum.w == width * height);
+        REQUIRE(sum.z / sum.w == doctest::Approx(whole.z / whole.w).epsilon(1e-4));
+    }
+    CHECK(*std::min_element(r.visibility.begin(), r.visibility.end()) >= 0.995f);
+}
+
+TEST_CASE("each texel is in exactly one adaptive layer, and the layers' sums are the root's") {
+    const oracle::picture p = oracle::draw(oracle::still_life(), lens::standard, 97, 61);
+    for (int layers : {2, 3, 4, 8})
+        for (int divisor : {1, 2}) {
+            CAPTURE(layers);
+            CAPTURE(divisor);
+            const rendered r = render(p,
+                                      "sample_box/summed_area_adaptive:" + std::to_string(layers) + "x" +
+                                          std::to_string(divisor) + "/mean_height",
+                                      0.5);
+            const oracle::area_texels t = oracle::downsample(p, divisor);
+            const oracle::layering expected =
+                oracle::adaptive_layers(p, t, oracle::settings_of(r.how), layers);
+            int elsewhere = 0;
+            for (int y = 0; y < t.height; ++y)
+                for (int x = 0; x < t.width; ++x) {
+                    // The tree: table t splits layer t - 2^k and leaves the nearer part in its place.
+                    std::vector<double> counts(static_cast<std::size_t>(layers));
+                    for (int i = 0; i < layers; ++i) {
+                        const double own =
+                            table{r.tables, t.width, t.height, i, r.range[2]}.over(x, y, x + 1, y + 1).w;
+                        if (i == 0) {
+                            counts[0] = own;
+                            continue;
+                        }
+                        int level = 1;
+                        while (2 * level <= i)
+                            level *= 2;
+                        counts[static_cast<std::size_t>(i)] =
+                            counts[static_cast<std::size_t>(i - level)] - own;
+                        counts[static_cast<std::size_t>(i - level)] = own;
+                    }
+                    const double whole = t.at(x, y).count;
+                    double sum = 0;
+                    int holding = 0;
+                    for (int i = 0; i < layers; ++i) {
+                        const double own = counts[static_cast<std::size_t>(i)];
+                        REQUIRE((own == 0 || own == whole));
+                        sum += own;
+                        if (own > 0) {
+                            ++holding;
+                            elsewhere += i != expected[static_cast<std::size_t>(y * t.width + x)];
+                        }
+                    }
+                    REQUIRE(sum == whole);
+                    REQUIRE(holding == (whole > 0 ? 1 : 0));
+                }
+            // Where a depth is its neighbourhood's mean to the last bits, either layer is right.
+            CHECK(elsewhere < static_cast<int>(t.texels.size()) / 50);
+        }
+}
+
+namespace {
+
+using layers_of = std::function<oracle::layering(const oracle::picture&, const oracle::area_texels&,
+                                                 const oracle::settings&, int)>;
+
+oracle::difference differ(const std::string& source, int layers, int divisor, const layers_of& split,
+                          lens projection, bool oriented, const std::string& parts = "") {
+    const oracle::picture p = oracle::draw(oracle::still_life(), projection, 97, 61);
+    const rendered r = render(p,
+                              "sample_box/" + source + "/mean_height:" + (oriented ? "1" : "0") + parts +
+                                  (projection == lens::orthographic ? "/orthographic" : ""),
+                              0.5);
+    const oracle::settings s = oracle::settings_of(r.how);
+    const oracle::area_texels t = oracle::downsample(p, divisor);
+    const oracle::layering of = split(p, t, s, layers);
+    const auto expected = oracle::main_pass(p, s, 1, false, [&](const oracle::receiver& each) {
+        return oracle::mean_height(p, each, s, t, of, layers, oriented);
+    });
+    return oracle::compare(r.visibility, expected.visibility);
+}
+
+const layers_of one = [](const auto&, const auto& t, const auto&, int) { return oracle::one_layer(t); };
+const layers_of even = [](const auto& p, const auto& t, const auto&, int layers) {
+    return oracle::uniform_layers(p, t, layers);
+};
+const layers_of adaptive = [](const auto& p, const auto& t, const auto& s, int layers) {
+    return oracle::adaptive_layers(p, t, s, layers);
+};
+
+}
+
+TEST_CASE("mean height over every source of areas") {
+    for (lens projection :
+         {lens::standard, lens::reversed, lens::infinite, lens::off_centre, lens::orthographic})
+        for (bool oriented : {true, false})
+            for (int divisor : {1, 2, 4}) {
+                CAPTURE(static_cast<int>(projection));
+                CAPTURE(oriented);
+                CAPTURE(divisor);
+                const std::string by = std::to_string(divisor);
+                const auto check = [&](const std::string& source, int layers, const layers_of& split) {
+                    CAPTURE(source);
+                    const oracle::difference d = differ(source, layers, divisor, split, projection, oriented);
+                    CHECK(d.typical < 0.02);
+                    CHECK(d.mean < 0.6 * one_step);
+                };
+                check("summed_area:" + by, 1, one);
+                check("summed_area_uniform:7x" + by, 7, even);
+                check("summed_area_adaptive:4x" + by, 4, adaptive);
+                if (divisor == 2) {
+                    check("summed_area_adaptive:2x2", 2, adaptive);
+                    check("summed_area_adaptive:8x2", 8, adaptive);
+                }
+            }
+}
+
+TEST_CASE("mean height in the fragment stage") {
+    CHECK(differ("summed_area_adaptive:4x2", 4, 2, adaptive, lens::standard, true, "/fragment").mean <
+          0.6 * one_step);
+}
+
+TEST_CASE("more uniform layers come nearer to the volume that is not layered") {
+    const oracle::picture p = oracle::draw(oracle::still_life(), lens::standard, 97, 61);
+    double before = 1;
+    for (int layers : {4, 16, 64}) {
+        const rendered r =
+            render(p, "sample_box/summed_area_uniform:" + std::to_string(layers) + "/mean_height", 0.5);
+        const oracle::settings s = oracle::settings_of(r.how);
+        const oracle::area_texels t = oracle::downsample(p, 1);
+        // Each texel of the area is a layer of its own.
+        const auto expected = oracle::main_pass(p, s, 1, false, [&](const oracle::receiver& each) {
+            const auto area = oracle::sample_area(p, {each.x + 0.5, each.y + 0.5}, each.position, s.radius);
+            double occlusion = 0, texels = 0;
+            for (int y = std::max(0, static_cast<int>(std::floor(area[1] + 0.5)));
+                 y < std::min(p.height, static_cast<int>(std::floor(area[3] + 0.5))); ++y)
+                for (int x = std::max(0, static_cast<int>(std::floor(area[0] + 0.5)));
+                     x < std::min(p.width, static_cast<int>(std::floor(area[2] + 0.5))); ++x) {
+                    if (p.background(x, y))
+                        continue;
+                    const double height = glm::dot(p.position(x, y) - each.position, each.normal) / s.radius;
+                    const double own = std::clamp((height - s.bias) / s.threshold, 0.0, 1.0);
+                    occlusion += own * (1 - std::clamp((height - s.threshold) / s.falloff, 0.0, 1.0));
+                    texels += 1;
+                }
+            return texels > 1 ? occlusion / texels * std::min((texels - 1) / 3, 1.0) : 0.0;
+        });
+        const double apart = oracle::compare(r.visibility, expected.visibility).mean;
+        CAPTURE(layers);
+        MESSAGE(layers << " uniform layers: " << apart << " from the volume");
+        CHECK(apart < before);
+        before = apart;
+    }
+    CHECK(before < 0.02);
+}
+
+TEST_CASE("a box in front of a wall darkens nothing beyond the radius, but for a single layer") {
+    // The box's face is three radii in front of the wall.
+    oracle::picture p =
+        oracle::draw({{kind::plane, {0, 0, -6}, {0, 0, 1}}, {kind::half_plane, {0, 0, -3}, {0, 0, 1}}},
+                     lens::standard, 320, 180);
+    const auto darkest_of_wall = [&](const std::string& source) {
+        const std::vector<float> image = render(p, "sample_box/" + source + "/mean_height", 1).visibility;
+        float darkest = 1;
+        for (int y = 0; y < p.height; ++y)
+            for (int x = 0; x < p.width; ++x)
+                if (-p.position(x, y).z > 5)
+                    darkest = std::min(darkest, image[p.index(x, y)]);
+        return darkest;
+    };
+    CHECK(darkest_of_wall("summed_area") < 0.8f);
+    CHECK(darkest_of_wall("summed_area_adaptive:2") >= 0.995f);
+    CHECK(darkest_of_wall("summed_area_adaptive:4") >= 0.995f);
+}

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "areas.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace oracle {
+
+area_texels downsample(const picture& p, int divisor) {
+    area_texels t{(p.width + divisor - 1) / divisor, (p.height + divisor - 1) / divisor, divisor, {}};
+    t.texels.resize(static_cast<std::size_t>(t.width) * static_cast<std::size_t>(t.height));
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x)
+            if (!p.background(x, y)) {
+                area_texel& of = t.texels[static_cast<std::size_t>(y / divisor * t.width + x / divisor)];
+                of.position += p.position(x, y);
+                of.count += 1;
+            }
+    return t;
+}
+
+layering one_layer(const area_texels& t) {
+    return layering(t.texels.size(), 0);
+}
+
+namespace {
+
+double depth_of(const area_texel& t) {
+    return -t.position.z / t.count;
+}
+
+}
+
+layering uniform_layers(const picture& p, const area_texels& t, int layers) {
+    double nearest = 1e30, farthest = 0;
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x)
+            if (!p.background(x, y)) {
+                nearest = std::min(nearest, -p.position(x, y).z);
+                farthest = std::max(farthest, -p.position(x, y).z);
+            }
+    layering of;
+    for (const area_texel& each : t.texels) {
+        const double share =
+            each.count > 0 ? (depth_of(each) - nearest) / std::max(farthest - nearest, 1e-20) : 0;
+        of.push_back(std::clamp(static_cast<int>(share * layers), 0, layers - 1));
+    }
+    return of;
+}
+
+std::array<double, 4> sample_area(const picture& p, glm::dvec2 texel, glm::dvec3 position, double radius) {
+    // The disk of the radius that faces the eye, by the bounds of its outline near the position.
+    const glm::dvec3 eye = p.to_eye(position);
+    const glm::dvec3 across =
+        p.is_perspective() ? glm::normalize(glm::cross(glm::dvec3(0, 1, 0), eye)) : glm::dvec3(1, 0, 0);
+    const glm::dvec3 up = glm::cross(eye, across);
+    const double small = 1e-5;
+    const auto moved = [&](glm::dvec3 axis) {
+        return (p.project(position + small * axis) - p.project(position - small * axis)) *
+               (0.25 * radius / (2 * small)); // the box is half a radius wide
+    };
+    const glm::dvec2 a = moved(across), b = moved(up);
+    const glm::dvec2 reach(std::hypot(a.x, b.x), std::hypot(a.y, b.y));
+    return {texel.x - reach.x, texel.y - reach.y, texel.x + reach.x, texel.y + reach.y};
+}
+
+std::vector<area_texel> sums_over(const area_texels& t, const layering& of, int layers,
+                                  const std::array<double, 4>& area) {
+    std::array<double, 4> box{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        box[i] = area[i] / t.divisor;
+        if (t.divisor == 1)
+            box[i] = std::floor(box[i] + 0.5);
+        box[i] = std::clamp(box[i], 0.0, static_cast<double>(i % 2 == 0 ? t.width : t.height));
+    }
+    std::vector<area_texel> sums(static_cast<std::size_t>(layers));
+    for (int y = static_cast<int>(box[1]); y < box[3]; ++y)
+        for (int x = static_cast<int>(box[0]); x < box[2]; ++x) {
+            const double inside = (std::min(x + 1.0, box[2]) - std::max<double>(x, box[0])) *
+                                  (std::min(y + 1.0, box[3]) - std::max<double>(y, box[1]));
+            const area_texel& each = t.at(x, y);
+            area_texel& sum = sums[static_cast<std::size_t>(of[static_cast<std::size_t>(y * t.width + x)])];
+            sum.position += inside * each.position;
+            sum.count += inside * each.count;
+        }
+    return sums;
+}
+
+layering adaptive_layers(const picture& p, const area_texels& t, const settings& s, int layers) {
+    layering of = one_layer(t);
+    for (int first = 1; first < layers; first *= 2) {
+        layering next = of;
+        for (int y = 0; y < t.height; ++y)
+            for (int x = 0; x < t.width; ++x) {
+                const area_texel& own = t.at(x, y);
+                const auto i = static_cast<std::size_t>(y * t.width + x);
+                if (own.count == 0 || of[i] + first >= layers)
+                    continue;
+                const glm::dvec2 middle((x + 0.5) * t.divisor, (y + 0.5) * t.divisor);
+                const auto area = sample_area(p, middle, own.position / own.count, s.radius);
+                const area_texel around = sums_over(t, of, layers, area)[static_cast<std::size_t>(of[i])];
+                // A hundredth of the radius is the shader's margin against rounding.
+                if (!(depth_of(own) < depth_of(around) - 0.01 * s.radius))
+                    next[i] = of[i] + first;
+            }
+        of = next;
+    }
+    return of;
+}
+
+double mean_height(const picture& p, const receiver& r, const settings& s, const area_texels& t,
+                   const layering& of, int layers, bool oriented) {
+    const auto area = sample_area(p, {r.x + 0.5, r.y + 0.5}, r.position, s.radius);
+    double occlusion = 0, texels = 0;
+    for (const area_texel& sum : sums_over(t, of, layers, area)) {
+        if (sum.count <= 0)
+            continue;
+        const glm::dvec3 mean = sum.position / sum.count;
+        const double height =
+            (oriented ? glm::dot(mean - r.position, r.normal) : mean.z - r.position.z) / s.radius;
+        double own = std::clamp((height - s.bias) / s.threshold, 0.0, 1.0);
+        if (height > s.threshold)
+            own *= 1 - std::min(1.0, (height - s.threshold) / s.falloff);
+        occlusion += own * sum.count;
+        texels += sum.count;
+    }
+    // Less than four texels tell less, and one alone nothing.
+    return texels > 1 ? occlusion / texels * std::min((texels - 1) / 3, 1.0) : 0;
+}
+
+}

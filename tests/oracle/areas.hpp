@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Statistical volumetric obscurance as the paper states it: no tables, every area is summed texel by texel,
+// in double precision. An area covers a table's texel by the share of it that lies inside.
+#pragma once
+
+#include "effect.hpp"
+
+#include <array>
+
+namespace oracle {
+
+/// What a texel of a table stands for: the sum of the positions of the picture's texels in it, and their
+/// count.
+struct area_texel {
+    glm::dvec3 position{0};
+    double count = 0;
+};
+
+/// The texels of the tables, their sides smaller than the picture's by `divisor`.
+struct area_texels {
+    int width = 0, height = 0, divisor = 1;
+    std::vector<area_texel> texels;
+    const area_texel& at(int x, int y) const {
+        return texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x)];
+    }
+};
+area_texels downsample(const picture& p, int divisor);
+
+/// A layer for each texel.
+using layering = std::vector<int>;
+layering one_layer(const area_texels& t);
+/// Of equal depth, between the picture's nearest and farthest (4.3).
+layering uniform_layers(const picture& p, const area_texels& t, int layers);
+/// Each layer split by the mean of the same layer around each texel, until there are as many (4.4, Algorithm
+/// 2).
+layering adaptive_layers(const picture& p, const area_texels& t, const settings& s, int layers);
+
+/// The area of the sample box around a position: left, top, right and bottom edge in the picture's texels.
+std::array<double, 4> sample_area(const picture& p, glm::dvec2 texel, glm::dvec3 position, double radius);
+
+/// The sum of each layer over an area.
+std::vector<area_texel> sums_over(const area_texels& t, const layering& of, int layers,
+                                  const std::array<double, 4>& area);
+
+/// Occlusion in [0, 1] of a receiver: equations 4.3 to 4.6 and the falloff of A.2.
+double mean_height(const picture& p, const receiver& r, const settings& s, const area_texels& t,
+                   const layering& of, int layers, bool oriented);
+
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include <crease/crease.hpp>
+
+#include "text.hpp"
+
+#include <doctest/doctest.h>
+
+namespace {
+
+using namespace crease;
+
+using full = effect<sample_box, summed_area<>, mean_height<>>;
+using quarter = effect<sample_box, summed_area<4>, mean_height<>>;
+
+static_assert(offers<summed_area<>, area_layers>);
+static_assert(!offers<summed_area<>, depth_layers>);
+static_assert(full::passes.size() == 6);
+
+}
+
+TEST_CASE("summed_area sums rows and then columns of one table, in place") {
+    CHECK(full::passes[3].covers == dispatch::rows);
+    CHECK(full::passes[4].covers == dispatch::columns);
+    for (std::size_t i : {3u, 4u}) {
+        CHECK(full::passes[i].bindings.back().how == access::modify);
+        CHECK(contains(full::passes[i].pieces[0].text,
+                       i == 3 ? "const int crease_scan_axis = 0;" : "const int crease_scan_axis = 1;"));
+    }
+    CHECK(piece_of(full::passes[3], "depth/scan.glsl") == piece_of(full::passes[4], "depth/scan.glsl"));
+}
+
+TEST_CASE("the tables are as much smaller than the picture as the number says") {
+    for (const auto& [view, divisor] : {std::pair{full::view(), 1u}, {quarter::view(), 4u}}) {
+        const resource* tables = nullptr;
+        for (const resource& each : view.resources)
+            if (each.name == "area_tables")
+                tables = &each;
+        REQUIRE(tables != nullptr);
+        CHECK(tables->size.divisor == divisor);
+        CHECK(tables->texels == format::rgba32_float);
+        CHECK(tables->layers == 1);
+        CHECK(view.passes[2].size.divisor == divisor);
+        CHECK(view.passes.back().size.divisor == 1);
+    }
+}

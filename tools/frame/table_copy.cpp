@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "frame/table_copy.hpp"
+
+#include <algorithm>
+
+namespace crease::tools {
+
+namespace {
+
+constexpr const char* glsl = R"glsl(#version 450
+layout(local_size_x = 16, local_size_y = 16, local_size_x_id = 0, local_size_y_id = 1) in;
+layout(set = 0, binding = 1, rgba32f) uniform image2D crease_from;
+layout(set = 0, binding = 2, rgba32f) uniform writeonly image2D crease_output;
+
+void main() {
+    ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+    if (all(lessThan(texel, imageSize(crease_output))))
+        imageStore(crease_output, texel, imageLoad(crease_from, texel));
+}
+)glsl";
+
+}
+
+double time_table_copy(vulkan::device& device, unsigned width, unsigned height, unsigned repeats) {
+    const piece pieces[] = {{"table_copy.comp", glsl}};
+    const resource resources[] = {
+        {.name = "parameters"},
+        {.name = "from", .texels = format::rgba32_float, .life = lifetime::transient},
+        {.name = "to", .texels = format::rgba32_float, .life = lifetime::output}};
+    const binding bindings[] = {{.name = "from", .resource = 1, .how = access::modify, .slot = 1},
+                                {.name = "output", .resource = 2, .how = access::store, .slot = 2}};
+    const constant constants[] = {{"compute", "width", 0, 16}, {"compute", "height", 1, 16}};
+    const pass passes[] = {{.name = "table copy",
+                            .stage = stage_kind::compute,
+                            .dialect = dialect_kind::vulkan,
+                            .pieces = pieces,
+                            .vertex_pieces = {},
+                            .bindings = bindings,
+                            .constants = constants,
+                            .size = {}}};
+    vulkan::runner runner(device, {{}, passes, resources, {}, {}}, width, height);
+    runner.run(parameters{}); // the first run compiles
+    std::vector<double> times;
+    for (unsigned i = 0; i < repeats; ++i)
+        times.push_back(runner.run(parameters{})[0].milliseconds);
+    const auto half = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+    std::nth_element(times.begin(), half, times.end());
+    return *half;
+}
+
+}
