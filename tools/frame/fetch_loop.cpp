@@ -21,7 +21,7 @@ void main() {
     for (int i = 0; i < 8; ++i)
         for (int j = 0; j < 4; ++j) {
             vec2 texel = vec2(pixel) + 0.5 + vec2(5 * i - 20, 7 * j - 12);
-            sum += textureLod(crease_depth, texel / vec2(size), 0.0).x;
+            sum += textureLod(crease_depth, texel / vec2(textureSize(crease_depth, 0)), 0.0).x;
         }
     imageStore(crease_output, pixel, vec4(sum));
 }
@@ -32,7 +32,7 @@ void main() {
 double time_fetch_loop(vulkan::device& device, const gbuffer& inputs, unsigned repeats) {
     const piece pieces[] = {{"fetch_loop.comp", glsl}};
     const resource resources[] = {{.name = "parameters"},
-                                  {.name = "depth", .texels = format::d32_float},
+                                  {.name = "depth", .texels = format::d32_float, .size = {.guarded = true}},
                                   {.name = "sum", .texels = format::r32_float, .life = lifetime::output}};
     const binding bindings[] = {{.name = "depth", .resource = 1, .how = access::sample, .slot = 1},
                                 {.name = "output", .resource = 2, .how = access::store, .slot = 2}};
@@ -45,7 +45,8 @@ double time_fetch_loop(vulkan::device& device, const gbuffer& inputs, unsigned r
                             .bindings = bindings,
                             .constants = constants,
                             .size = {}}};
-    vulkan::runner runner(device, {{}, passes, resources, {}, {}}, inputs.depth.width, inputs.depth.height);
+    vulkan::runner runner(device, {{}, passes, resources, {}, {}}, inputs.depth.width, inputs.depth.height,
+                          {.guard = inputs.guard, .constants = {}, .shaders = {}});
     runner.upload("depth", inputs.device);
     runner.run(parameters{}); // the first run compiles
     std::vector<double> times;

@@ -10,6 +10,11 @@ inline constexpr glsl_file stochastic_layers_glsl{
 #include <crease/depth/stochastic_layers.glsl>
 };
 
+inline constexpr glsl_file layer_groups_glsl{
+    "depth/layer_groups.glsl",
+#include <crease/depth/layer_groups.glsl>
+};
+
 inline constexpr glsl_file pack_layers_glsl{
     "depth/pack_layers.glsl",
 #include <crease/depth/pack_layers.glsl>
@@ -22,6 +27,7 @@ struct stochastic_layers_part {
         {"opacity", &parameters::opacity, 0.2f, 0.001f, 1,
          "probability that a sample keeps a fragment, alpha"},
     };
+    static constexpr const glsl_file* groups[] = {&layer_groups_glsl};
     static constexpr role capturing[] = {role::layer_carrier, role::layer_sampling, role::fold};
     static constexpr resource packed[] = {{.name = "packed_layers",
                                            .texels = format::rgba32_float,
@@ -35,6 +41,7 @@ struct stochastic_layers_part {
                                        .body = &pack_layers_glsl,
                                        .kind = step_kind::build,
                                        .includes = packing,
+                                       .helpers = groups,
                                        .writes = filled}};
     static constexpr part description{
         .kind = role::depth_source,
@@ -42,6 +49,7 @@ struct stochastic_layers_part {
         .summary = "layers behind the first, kept at random as if all surfaces were transparent",
         .source = "stochastic-depth-ao 2020, ch. 5 and 6, Algorithms 4 to 9",
         .glsl = &stochastic_layers_glsl,
+        .helpers = groups,
         .numbers = takes,
         .settings = reads,
         .offers = traits<depth_layers, layers_of_two_views>::list,

@@ -6,7 +6,7 @@ R"glsl("
 // enough. So a tap looks at as many layers as there are, and not at as many as there are samples.
 
 float crease_depth_at(vec2 texel);
-int crease_group_count() { return (crease_stochastic_layers_count + 3) / 4; }
+int crease_group_count();
 float crease_captured_depth(ivec2 texel, int sample_index);
 bool crease_is_packed(float depth, float front);
 

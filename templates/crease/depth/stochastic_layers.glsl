@@ -5,7 +5,7 @@ R"glsl("
 // What the samples of a texel kept, each depth once, in groups of four; crease_background after the last. A group is
 // there where the one before it is full.
 
-int crease_group_count() { return (crease_stochastic_layers_count + 3) / 4; }
+int crease_group_count();
 
 vec4 crease_fetch_group(vec2 texel, int group) {
     // The image is as large as the first camera asks, also where the second is smaller.
