@@ -24,6 +24,7 @@ std::string read(const fs::path& path) {
 
 // What the interface of a program declares for its files.
 constexpr std::string_view prelude = R"(#version 450
+#define crease_unroll
 const int crease_divisor = 1;
 const int crease_input_divisor = 2;
 int crease_view_index = 0;
@@ -117,8 +118,7 @@ std::string structs_for(const std::string& text) {
     add("crease_bend", "output/bent_cone_result.glsl", "};");
     add("crease_receiver", "core/receiver.glsl", "};");
     add("crease_gathered", "output/visibility_only.glsl", "};");
-    add("crease_layers", holds("layers.depths") ? "depth/stochastic_layers.glsl" : "depth/single_layer.glsl",
-        "};");
+    add("crease_layers", "depth/single_layer.glsl", "};");
     add("crease_areas ", "depth/summed_area.glsl", "};");
     const bool in_space = holds(".point") || holds("sphere_points");
     const bool lines = holds("tap.near") || holds("crease_line_clip");

@@ -243,7 +243,7 @@ void print(const nlohmann::ordered_json& row) {
     if (row["capture_milliseconds"].get<double>() > 0)
         fmt::print("    {:<54} {:7.2f} ms\n", "captures", row["capture_milliseconds"].get<double>());
     for (const auto& v : row["views"])
-        for (const char* extra : {"rmse_hidden", "bent_degrees"})
+        for (const char* extra : {"rmse_hidden", "bias_hidden", "bent_degrees"})
             if (v.contains(extra))
                 fmt::print("    {:<54} {:7.4f}\n",
                            fmt::format("{} of {} {}", extra, v["scene"].get<std::string>(),
