@@ -241,6 +241,7 @@ constexpr program write_evaluate(const plan& p, const planned_pass& pass) {
             to.add_file(of_source ? of_source : p.chosen(role::estimator).what->fold);
         }
         to.add_file(&gather_glsl);
+        to.add_file(&receive_glsl);
     }
     if (pass.input >= 0)
         to.add_file(output.between->glsl);

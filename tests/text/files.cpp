@@ -117,7 +117,7 @@ std::string structs_for(const std::string& text) {
         "};");
     add("crease_bend", "output/bent_cone_result.glsl", "};");
     add("crease_receiver", "core/receiver.glsl", "};");
-    add("crease_gathered", "output/visibility_only.glsl", "};");
+    add("crease_gathered", "output/occlusion_alone.glsl", "};");
     add("crease_layers", "depth/single_layer.glsl", "};");
     add("crease_areas ", "depth/summed_area.glsl", "};");
     const bool in_space = holds(".point") || holds("sphere_points");

@@ -25,6 +25,11 @@ inline constexpr glsl_file gather_glsl{
 #include <crease/core/gather.glsl>
 };
 
+inline constexpr glsl_file receive_glsl{
+    "core/receive.glsl",
+#include <crease/core/receive.glsl>
+};
+
 inline constexpr glsl_file volume_glsl{
     "core/volume.glsl",
 #include <crease/core/volume.glsl>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <crease/depth/layers.hpp>
+#include <crease/estimator/bent_turn.hpp>
 #include <crease/fold/front_first.hpp>
 #include <crease/output/bent_cone.hpp>
 #include <crease/sampler/taps.hpp>
@@ -27,6 +28,7 @@ inline constexpr glsl_file hbao_bent_glsl{
 struct hbao {
     using needs = traits<ordered_taps, depth_layers>;
     static constexpr extra more[] = {{&front_test::value, &hbao_front_glsl},
+                                     {&open_directions::value, &bent_turn_glsl},
                                      {&open_directions::value, &hbao_bent_glsl}};
     static constexpr setting reads[] = {
         {"bias", &parameters::bias, 0.15f, 0, 1.5f, "angle added to the tangent's, radians"},

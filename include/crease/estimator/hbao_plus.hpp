@@ -2,6 +2,7 @@
 #pragma once
 
 #include <crease/depth/layers.hpp>
+#include <crease/estimator/bent_turn.hpp>
 #include <crease/fold/front_first.hpp>
 #include <crease/output/bent_cone.hpp>
 #include <crease/sampler/taps.hpp>
@@ -28,6 +29,7 @@ inline constexpr glsl_file hbao_plus_bent_glsl{
 struct hbao_plus {
     using needs = traits<screen_taps, depth_layers>;
     static constexpr extra more[] = {{&front_test::value, &hbao_plus_front_glsl},
+                                     {&open_directions::value, &bent_turn_glsl},
                                      {&open_directions::value, &hbao_plus_bent_glsl}};
     static constexpr setting reads[] = {
         {"bias", &parameters::bias, 0.2f, 0, 1, "cosine between the normal and a tap that is taken off"},

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <crease/encoding.hpp>
-#include <crease/part.hpp>
+#include <crease/output/occlusion_alone.hpp>
 
 namespace crease {
 
@@ -33,6 +33,7 @@ inline constexpr encoding shade_encoding{"shade", format::r32_float, &encoding_s
 inline constexpr encoding shade_depth_encoding{"shade_depth", format::rg32_uint, &encoding_shade_depth_glsl};
 
 struct shade_part {
+    static constexpr const glsl_file* gathered[] = {&occlusion_alone_glsl};
     static constexpr const encoding* images[] = {&visibility_encoding, &shade_encoding};
     static constexpr number takes[] = {
         {"highlight", 0, 1, 1, "1: the shade is negative where an estimator brightens; 0: never"}};
@@ -42,6 +43,7 @@ struct shade_part {
         .summary = "visibility, and the shade that a host subtracts from a colour",
         .source = "unsharp-mask-ssao, listing",
         .glsl = &shade_glsl,
+        .helpers = gathered,
         .numbers = takes,
         .result = &shade_result_glsl,
         .between = &shade_depth_encoding,

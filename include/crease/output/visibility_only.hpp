@@ -2,7 +2,7 @@
 #pragma once
 
 #include <crease/encoding.hpp>
-#include <crease/part.hpp>
+#include <crease/output/occlusion_alone.hpp>
 
 namespace crease {
 
@@ -18,6 +18,7 @@ inline constexpr glsl_file visibility_only_glsl{
 
 /// Output: visibility in [0, 1], 1 where open. The default.
 struct visibility_only {
+    static constexpr const glsl_file* gathered[] = {&occlusion_alone_glsl};
     static constexpr const encoding* images[] = {&visibility_encoding};
     static constexpr part description{
         .kind = role::output,
@@ -25,6 +26,7 @@ struct visibility_only {
         .summary = "visibility, 1 open and 0 closed",
         .source = "stochastic-depth-ao 2020, 2.2",
         .glsl = &visibility_only_glsl,
+        .helpers = gathered,
         .result = &visibility_result_glsl,
         .between = &visibility_depth_encoding,
         .final_images = images,

@@ -4,9 +4,6 @@ R"glsl("
 // SPDX-License-Identifier: MIT
 // The loop of every technique: each tap of the sampler, each layer of the depth source, weighed by the estimator.
 
-vec3 crease_to_eye(vec3 position);
-void crease_axes(vec3 to_eye, out vec3 across, out vec3 up);
-mat2 crease_disk(vec3 position, vec3 across, vec3 up);
 crease_pattern crease_pattern_begin(crease_receiver receiver);
 int crease_direction_count();
 int crease_step_count();
@@ -24,18 +21,6 @@ void crease_gathered_tap(inout crease_gathered gathered, crease_receiver receive
                          crease_contribution contribution);
 void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiver, crease_estimate estimate,
                           vec2 direction);
-
-crease_receiver crease_receiver_at(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
-    crease_receiver receiver;
-    receiver.pixel = pixel;
-    receiver.texel = texel;
-    receiver.position = position;
-    receiver.normal = normal;
-    receiver.to_eye = crease_to_eye(position);
-    crease_axes(receiver.to_eye, receiver.across, receiver.up);
-    receiver.disk = crease_disk(position, receiver.across, receiver.up);
-    return receiver;
-}
 
 const int crease_batch = 4; // taps whose layers are fetched before any is weighed, so that the waits overlap
 const int crease_written_out = 8; // taps of a direction up to which no loop is left, as a loop costs some drivers dearly

@@ -5,6 +5,8 @@ R"glsl("
 // For each direction the normal, turned away from the horizon by its angle over the tangent: stochastic-depth-ao 7.1,
 // Algorithm 11.
 
+vec3 crease_bent_turn(crease_receiver receiver, vec2 direction, float cosine, float sine);
+
 void crease_bend_tap(inout crease_bend bend, crease_receiver receiver, crease_tap tap,
                      crease_contribution contribution) {}
 
@@ -16,9 +18,7 @@ void crease_bend_turn(inout crease_bend bend, crease_receiver receiver, crease_e
     // The horizon's angle less that at which the direction began.
     float cosine = cos_horizon * start.x + sin_horizon * start.y;
     float sine = max(sin_horizon * start.x - cos_horizon * start.y, 0.0);
-    vec3 axis = cross(receiver.to_eye, receiver.across * direction.x + receiver.up * direction.y);
-    bend.sum += receiver.normal * cosine - cross(axis, receiver.normal) * sine +
-        axis * (dot(axis, receiver.normal) * (1.0 - cosine));
+    bend.sum += crease_bent_turn(receiver, direction, cosine, sine);
     bend.cone += acos(min(sine, 1.0));
     bend.weight += 1.0;
 }

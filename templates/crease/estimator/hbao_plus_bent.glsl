@@ -5,6 +5,8 @@ R"glsl("
 // For each direction the normal, turned away from the highest tap by its angle over the tangent plane:
 // stochastic-depth-ao 7.1, the form with lambda.
 
+vec3 crease_bent_turn(crease_receiver receiver, vec2 direction, float cosine, float sine);
+
 void crease_bend_tap(inout crease_bend bend, crease_receiver receiver, crease_tap tap,
                      crease_contribution contribution) {
     bend.highest = max(bend.highest, contribution.rise);
@@ -13,9 +15,7 @@ void crease_bend_tap(inout crease_bend bend, crease_receiver receiver, crease_ta
 void crease_bend_turn(inout crease_bend bend, crease_receiver receiver, crease_estimate estimate, vec2 direction) {
     float sine = min(bend.highest, 1.0);
     float cosine = sqrt(1.0 - sine * sine);
-    vec3 axis = cross(receiver.to_eye, receiver.across * direction.x + receiver.up * direction.y);
-    bend.sum += receiver.normal * cosine - cross(axis, receiver.normal) * sine +
-        axis * (dot(axis, receiver.normal) * (1.0 - cosine));
+    bend.sum += crease_bent_turn(receiver, direction, cosine, sine);
     bend.cone += acos(sine);
     bend.weight += 1.0;
     bend.highest = 0.0;

@@ -4,10 +4,8 @@ R"glsl("
 // SPDX-License-Identifier: MIT
 // The result of a pixel by what two cameras see: the greater occlusion counts: stochastic-depth-ao 7.2, Algorithm 12.
 
-float crease_depth_at(vec2 texel);
-vec3 crease_view_position(vec2 texel, float depth);
+bool crease_receive(ivec2 pixel, out crease_receiver receiver);
 vec2 crease_texel_at(vec3 position);
-vec3 crease_normal_at(vec2 texel, vec3 position);
 crease_receiver crease_receiver_at(ivec2 pixel, vec2 texel, vec3 position, vec3 normal);
 crease_gathered crease_gather(crease_receiver receiver);
 crease_gathered crease_gathered_turned_back(crease_gathered gathered, mat3 turn);
@@ -15,18 +13,15 @@ crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver
 crease_result crease_open();
 
 crease_result crease_evaluate(ivec2 pixel) {
-    vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
-    float depth = crease_depth_at(texel);
-    if (!(depth > 0.0 && depth < crease_background))
+    crease_receiver receiver;
+    if (!crease_receive(pixel, receiver))
         return crease_open();
-    vec3 position = crease_view_position(texel, depth);
-    crease_receiver receiver = crease_receiver_at(pixel, texel, position, crease_normal_at(texel, position));
     crease_gathered gathered = crease_gather(receiver);
 
     crease_view = crease_given.crease_views[1];
     crease_view_index = 1;
     mat4 second_from_first = crease_given.crease_second_from_first;
-    position = (second_from_first * vec4(position, 1.0)).xyz;
+    vec3 position = (second_from_first * vec4(receiver.position, 1.0)).xyz;
     vec3 normal = mat3(second_from_first) * receiver.normal;
     if (position.z < 0.0) { // in front of the second camera
         crease_receiver second = crease_receiver_at(pixel, crease_texel_at(position), position, normal);

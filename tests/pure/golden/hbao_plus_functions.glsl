@@ -241,9 +241,7 @@ void crease_estimate_add(inout crease_estimate estimate, crease_contribution con
 
 float crease_estimate_occlusion(crease_estimate estimate) { return estimate.occlusion / max(estimate.taps, 1.0); }
 // SPDX-License-Identifier: MIT
-// The visibility of a receiver and nothing else.
-
-float crease_visibility_of(float occlusion);
+// Of what is gathered the occlusion, and nothing else.
 
 struct crease_gathered {
     float occlusion;
@@ -258,6 +256,10 @@ void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiv
                           vec2 direction) {}
 
 crease_gathered crease_gathered_turned_back(crease_gathered gathered, mat3 turn) { return gathered; }
+// SPDX-License-Identifier: MIT
+// The visibility of a receiver and nothing else.
+
+float crease_visibility_of(float occlusion);
 
 crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver) {
     return crease_result(crease_visibility_of(gathered.occlusion), -receiver.position.z);
@@ -285,9 +287,6 @@ crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiv
 // SPDX-License-Identifier: MIT
 // The loop of every technique: each tap of the sampler, each layer of the depth source, weighed by the estimator.
 
-vec3 crease_to_eye(vec3 position);
-void crease_axes(vec3 to_eye, out vec3 across, out vec3 up);
-mat2 crease_disk(vec3 position, vec3 across, vec3 up);
 crease_pattern crease_pattern_begin(crease_receiver receiver);
 int crease_direction_count();
 int crease_step_count();
@@ -305,18 +304,6 @@ void crease_gathered_tap(inout crease_gathered gathered, crease_receiver receive
                          crease_contribution contribution);
 void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiver, crease_estimate estimate,
                           vec2 direction);
-
-crease_receiver crease_receiver_at(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
-    crease_receiver receiver;
-    receiver.pixel = pixel;
-    receiver.texel = texel;
-    receiver.position = position;
-    receiver.normal = normal;
-    receiver.to_eye = crease_to_eye(position);
-    crease_axes(receiver.to_eye, receiver.across, receiver.up);
-    receiver.disk = crease_disk(position, receiver.across, receiver.up);
-    return receiver;
-}
 
 const int crease_batch = 4; // taps whose layers are fetched before any is weighed, so that the waits overlap
 const int crease_written_out = 8; // taps of a direction up to which no loop is left, as a loop costs some drivers dearly
@@ -365,24 +352,48 @@ float crease_visibility_of(float occlusion) {
     return pow(clamp(1.0 - occlusion * crease_strength, 0.0, 1.0), crease_exponent);
 }
 // SPDX-License-Identifier: MIT
-// The result of a pixel of the main pass.
+// Where a receiver stands, and how it looks around.
 
+vec3 crease_to_eye(vec3 position);
+void crease_axes(vec3 to_eye, out vec3 across, out vec3 up);
+mat2 crease_disk(vec3 position, vec3 across, vec3 up);
 float crease_depth_at(vec2 texel);
 vec3 crease_view_position(vec2 texel, float depth);
 vec3 crease_normal_at(vec2 texel, vec3 position);
-crease_receiver crease_receiver_at(ivec2 pixel, vec2 texel, vec3 position, vec3 normal);
+
+crease_receiver crease_receiver_at(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
+    crease_receiver receiver;
+    receiver.pixel = pixel;
+    receiver.texel = texel;
+    receiver.position = position;
+    receiver.normal = normal;
+    receiver.to_eye = crease_to_eye(position);
+    crease_axes(receiver.to_eye, receiver.across, receiver.up);
+    receiver.disk = crease_disk(position, receiver.across, receiver.up);
+    return receiver;
+}
+
+// The receiver that a pixel of the main pass sees; false where there is background.
+bool crease_receive(ivec2 pixel, out crease_receiver receiver) {
+    vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
+    float depth = crease_depth_at(texel);
+    if (!(depth > 0.0 && depth < crease_background))
+        return false;
+    vec3 position = crease_view_position(texel, depth);
+    receiver = crease_receiver_at(pixel, texel, position, crease_normal_at(texel, position));
+    return true;
+}
+// SPDX-License-Identifier: MIT
+// The result of a pixel of the main pass.
+
+bool crease_receive(ivec2 pixel, out crease_receiver receiver);
 crease_gathered crease_gather(crease_receiver receiver);
 crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver);
 crease_result crease_open();
 
 crease_result crease_evaluate(ivec2 pixel) {
-    vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
-    float depth = crease_depth_at(texel);
-    if (!(depth > 0.0 && depth < crease_background))
-        return crease_open();
-    vec3 position = crease_view_position(texel, depth);
-    crease_receiver receiver = crease_receiver_at(pixel, texel, position, crease_normal_at(texel, position));
-    return crease_conclude(crease_gather(receiver), receiver);
+    crease_receiver receiver;
+    return crease_receive(pixel, receiver) ? crease_conclude(crease_gather(receiver), receiver) : crease_open();
 }
 // SPDX-License-Identifier: MIT
 crease_result crease_evaluate(ivec2 pixel);
