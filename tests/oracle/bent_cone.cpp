@@ -32,13 +32,62 @@ double degrees_between(glm::dvec3 a, glm::dvec3 b) {
            glm::pi<double>();
 }
 
+/// The receiver's normal, turned by an angle away from an azimuth, about the axis across it and the direction
+/// to the eye.
+glm::dvec3 turned(const oracle::receiver& r, glm::dvec3 azimuth, double turn) {
+    const glm::dvec3 axis = glm::normalize(glm::cross(azimuth, r.to_eye));
+    return r.normal * std::cos(turn) + glm::cross(axis, r.normal) * std::sin(turn) +
+           axis * (glm::dot(axis, r.normal) * (1 - std::cos(turn)));
+}
+
+/// Algorithm 10 of a receiver, of whose points none is beside the picture: the mean direction of the points,
+/// weighed by how open they are.
+glm::dvec4 ssao_cone(const oracle::picture& p, const oracle::receiver& r, const oracle::settings& s,
+                     const std::vector<oracle::tap>& points) {
+    glm::dvec3 sum(0);
+    double open = 0;
+    for (const oracle::tap& t : points) {
+        const glm::dvec3 way = t.point - r.position;
+        if (!(glm::dot(way, r.normal) > s.bias * s.radius))
+            continue;
+        const double d = p.position(t.x, t.y).z,
+                     x = std::clamp(s.radius / std::abs(r.position.z - d), 0.0, 1.0);
+        const double visible = 1 - (d >= t.point.z ? x * x * (3 - 2 * x) : 0);
+        sum += glm::normalize(way) * visible;
+        open += visible;
+    }
+    const double mean_length = glm::length(sum) / std::max(open, 1e-6);
+    return {glm::length(sum) > 1e-6 ? glm::normalize(sum) : r.normal,
+            glm::half_pi<double>() * (1 - std::max(2 * mean_length - 1, 0.0))};
+}
+
+/// The same for HBAO+: the normal of each direction, turned by the angle whose sine is the greatest of its
+/// terms.
+glm::dvec4 hbao_plus_cone(const oracle::picture& p, const oracle::receiver& r, const oracle::settings& s,
+                          const std::vector<std::vector<oracle::tap>>& directions) {
+    glm::dvec3 sum(0);
+    double cone = 0;
+    for (const auto& direction : directions) {
+        double highest = 0;
+        for (const oracle::tap& t : direction) {
+            const glm::dvec3 v = p.position(t.x, t.y) - r.position;
+            if (glm::length(v) < s.radius)
+                highest = std::max(highest, glm::dot(v, r.normal) / glm::length(v) - s.bias);
+        }
+        const double turn = std::asin(std::min(highest, 1.0));
+        sum += direction.empty() ? r.normal : turned(r, direction[0].azimuth, turn);
+        cone += glm::half_pi<double>() - turn;
+    }
+    return {glm::normalize(sum), cone / static_cast<double>(directions.size())};
+}
+
 /// Algorithm 11 of a receiver: the normal of each direction, turned away from its horizon, and the mean
 /// angle.
 glm::dvec4 hbao_cone(const oracle::picture& p, const oracle::receiver& r, const oracle::settings& s,
-                     int count, int steps) {
+                     const std::vector<std::vector<oracle::tap>>& directions) {
     glm::dvec3 sum(0);
     double cone = 0;
-    for (const auto& direction : oracle::directions(p, r, s, count, steps)) {
+    for (const auto& direction : directions) {
         if (direction.empty()) {
             sum += r.normal;
             cone += glm::half_pi<double>();
@@ -59,13 +108,10 @@ glm::dvec4 hbao_cone(const oracle::picture& p, const oracle::receiver& r, const 
                 horizon = phi;
         }
         const double turn = std::max(std::asin(std::sin(horizon)) - start, 0.0);
-        // Away from the azimuth, about the axis across it and the direction to the eye.
-        const glm::dvec3 axis = glm::normalize(glm::cross(azimuth, r.to_eye));
-        sum += r.normal * std::cos(turn) + glm::cross(axis, r.normal) * std::sin(turn) +
-               axis * (glm::dot(axis, r.normal) * (1 - std::cos(turn)));
+        sum += turned(r, azimuth, turn);
         cone += glm::half_pi<double>() - turn;
     }
-    return {glm::normalize(sum), cone / count};
+    return {glm::normalize(sum), cone / static_cast<double>(directions.size())};
 }
 
 }
@@ -106,27 +152,61 @@ TEST_CASE("beside a wall the bent normal leans away from it, by every estimator"
     }
 }
 
-TEST_CASE("Algorithm 11, whole images") {
-    for (lens lens_kind : {lens::standard, lens::orthographic}) {
-        const oracle::picture p = oracle::draw(oracle::still_life(), lens_kind, 97, 61);
-        const std::string text = std::string("directions:6x4/single_layer/hbao/bent_cone") +
-                                 (lens_kind == lens::orthographic ? "/orthographic" : "");
-        const std::vector<glm::dvec4> found = run(p, text, 0.5, 0.15);
-        const oracle::settings s{.radius = 0.5, .bias = 0.15};
-        double degrees = 0, apart = 0, count = 0;
-        for (int y = 0; y < p.height; ++y)
-            for (int x = 0; x < p.width; ++x) {
-                if (p.background(x, y))
-                    continue;
-                oracle::receiver r{x, y, x, y, p.position(x, y), glm::dvec3(p.normals[p.index(x, y)]), {}};
-                r.to_eye = p.to_eye(r.position);
-                const glm::dvec4 expected = hbao_cone(p, r, s, 6, 4), at = found[p.index(x, y)];
-                degrees += degrees_between(glm::dvec3(at), glm::dvec3(expected));
-                apart += std::abs(at.w - expected.w);
-                ++count;
-            }
-        CHECK(degrees / count < 0.5); // half floats, and taps whose texel rounds the other way
-        CHECK(apart / count < 0.01);
+TEST_CASE("Algorithms 10 and 11 and the form with lambda, whole images") {
+    constexpr int points = 12;
+    for (lens lens_kind : {lens::standard, lens::orthographic})
+        for (const char* parts : {"directions:6x4/single_layer/hbao", "directions:6x4/single_layer/hbao_plus",
+                                  "hemisphere_points:12/single_layer/ssao"}) {
+            CAPTURE(std::string(parts));
+            const oracle::picture p = oracle::draw(oracle::still_life(), lens_kind, 97, 61);
+            const std::string text =
+                std::string(parts) + "/bent_cone" + (lens_kind == lens::orthographic ? "/orthographic" : "");
+            const std::vector<glm::dvec4> found = run(p, text, 0.5, 0.15);
+            const oracle::settings s{.radius = 0.5, .bias = 0.15};
+            double degrees = 0, apart = 0, count = 0;
+            for (int y = 0; y < p.height; ++y)
+                for (int x = 0; x < p.width; ++x) {
+                    if (p.background(x, y))
+                        continue;
+                    oracle::receiver r{x, y, x, y, p.position(x, y), glm::dvec3(p.normals[p.index(x, y)]),
+                                       {}};
+                    r.to_eye = p.to_eye(r.position);
+                    glm::dvec4 expected;
+                    if (text.find("ssao") != std::string::npos) {
+                        const auto all = oracle::hemisphere_points(p, r, s, points)[0];
+                        if (all.size() < points)
+                            continue; // some are beside the picture: a test of their own
+                        expected = ssao_cone(p, r, s, all);
+                    } else {
+                        const auto all = oracle::directions(p, r, s, 6, 4);
+                        expected = text.find("hbao_plus") != std::string::npos ? hbao_plus_cone(p, r, s, all)
+                                                                               : hbao_cone(p, r, s, all);
+                    }
+                    const glm::dvec4 at = found[p.index(x, y)];
+                    degrees += degrees_between(glm::dvec3(at), glm::dvec3(expected));
+                    apart += std::abs(at.w - expected.w);
+                    ++count;
+                }
+            CHECK(count > 1000);
+            CHECK(degrees / count < 0.5); // half floats, and taps whose texel rounds the other way
+            CHECK(apart / count < 0.01);
+        }
+}
+
+TEST_CASE("the picture's edge neither bends a normal nor narrows a cone") {
+    for (const char* recipe :
+         {"directions:8x4/single_layer/hbao/bent_cone", "directions:8x4/single_layer/hbao_plus/bent_cone",
+          "hemisphere_points:64/single_layer/ssao/bent_cone"}) {
+        CAPTURE(std::string(recipe));
+        const glm::dvec3 normal(0, 0, 1);
+        const oracle::picture p = oracle::draw({{kind::plane, {0, 0, -3}, normal}}, lens::standard, 65, 41);
+        const std::vector<glm::dvec4> all = run(p, recipe, 0.5, 0.1);
+        const glm::dvec4 middle = all[p.index(32, 20)];
+        for (int x : {0, 64}) {
+            const glm::dvec4 edge = all[p.index(x, 20)];
+            CHECK(degrees_between(glm::dvec3(edge), normal) < 6);
+            CHECK(edge.w == doctest::Approx(middle.w).epsilon(0.1));
+        }
     }
 }
 

@@ -9,7 +9,7 @@ vec3 crease_bent_turn(crease_receiver receiver, vec2 direction, float cosine, fl
 
 void crease_bend_tap(inout crease_bend bend, crease_receiver receiver, crease_tap tap,
                      crease_contribution contribution) {
-    bend.highest = max(bend.highest, contribution.rise);
+    bend.highest = max(bend.highest, tap.inside ? contribution.rise : 0.0);
 }
 
 void crease_bend_turn(inout crease_bend bend, crease_receiver receiver, crease_estimate estimate, vec2 direction) {

@@ -3,12 +3,13 @@ R"glsl("
 #endif
 // SPDX-License-Identifier: MIT
 // The mean direction of the points, weighed by how open they are, and the cone that its length stands for:
-// stochastic-depth-ao 7.1, Algorithm 10.
+// stochastic-depth-ao 7.1, Algorithm 10. A point beside the picture counts as open, as leaving it out would turn the cone
+// to the picture's middle.
 
 void crease_bend_tap(inout crease_bend bend, crease_receiver receiver, crease_tap tap,
                      crease_contribution contribution) {
     vec3 to_point = tap.point - receiver.position;
-    float open = (1.0 - contribution.occlusion) * contribution.points;
+    float open = (tap.inside ? 1.0 - contribution.occlusion : 1.0) * contribution.points;
     bend.sum += to_point * (open * inversesqrt(max(dot(to_point, to_point), 1e-30)));
     bend.weight += open;
 }

@@ -372,10 +372,9 @@ void crease_take(inout crease_estimate estimate, inout crease_gathered gathered,
     }
     crease_unroll for (int i = 0; i < count; ++i) {
         crease_contribution contribution = crease_fold(estimate, receiver, taps[i], layers[i]);
-        if (taps[i].inside) {
+        if (taps[i].inside)
             crease_estimate_add(estimate, contribution);
-            crease_gathered_tap(gathered, receiver, taps[i], contribution);
-        }
+        crease_gathered_tap(gathered, receiver, taps[i], contribution);
     }
 }
 
