@@ -111,6 +111,8 @@ constexpr void add_resource(plan& p, const resource& wanted) {
     if (r.layers_by.number >= 0) // a second camera's layers come after those of the first
         r.layers = count_of(r.layers_by, source) *
                    (r.life == lifetime::transient && p.find(role::second_view) ? 2 : 1);
+    if (r.texels_of_one != format::none && source.numbers[r.layers_by.number] == 1)
+        r.texels = r.texels_of_one;
     if (r.samples_by.number >= 0)
         r.samples = samples_for(count_of(r.samples_by, source));
     if (r.divisor_by >= 0)
@@ -119,6 +121,7 @@ constexpr void add_resource(plan& p, const resource& wanted) {
         r.count = static_cast<unsigned>(source.numbers[0]);
     r.layers_by = r.samples_by = {};
     r.divisor_by = -1;
+    r.texels_of_one = format::none;
 }
 
 constexpr void add_resources(plan& p, array_view<const resource> wanted) {

@@ -94,7 +94,9 @@ struct resource {
     unsigned samples = 1;    ///< of a multisampled image
     bool arrayed = false;    ///< an array image, also where it has one layer
     std::uint32_t clear = 0; ///< what each component of a captured storage image holds before the capture
-    counted layers_by{}, samples_by{}; ///< of a part's description; an effect has the counts
+    counted layers_by{}, samples_by{};   ///< of a part's description; an effect has the counts
+    format texels_of_one = format::none; ///< of a part's description: the texels where the number of
+                                         ///< `layers_by` is 1; none: as where it is more
     int divisor_by = -1; ///< of a part's description: index of the depth source's number that is the divisor
                          ///< of the size; -1: that is fixed
     void (*fill)(std::span<std::uint32_t> texels,

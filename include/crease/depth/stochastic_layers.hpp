@@ -34,7 +34,8 @@ struct stochastic_layers_part {
                                            .life = lifetime::transient,
                                            .size = {.guarded = true},
                                            .arrayed = true,
-                                           .layers_by = {.number = 0, .share = 4}}};
+                                           .layers_by = {.number = 0, .share = 4},
+                                           .texels_of_one = format::r32_float}};
     static constexpr role packing[] = {role::projection, role::depth_encoding, role::layer_carrier};
     static constexpr std::string_view filled[] = {"packed_layers"};
     static constexpr step passes[] = {{.name = "pack_layers",

@@ -5,6 +5,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <tuple>
+
 namespace {
 
 using namespace crease;
@@ -54,4 +57,19 @@ TEST_CASE("a second camera has a capture, a packing and layers of its own") {
     for (const resource& r : view.resources)
         if (r.name == "packed_layers")
             CHECK(r.layers == 2);
+}
+
+TEST_CASE("layers lie in groups of four; a single one needs one component") {
+    for (const auto& [samples, texels, groups] :
+         {std::tuple("1", format::r32_float, 1u), std::tuple("2", format::rgba32_float, 1u),
+          std::tuple("4", format::rgba32_float, 1u), std::tuple("5", format::rgba32_float, 2u)}) {
+        CAPTURE(std::string(samples));
+        const composition composed(
+            recipe("directions:4x4/stochastic_layers:" + std::string(samples) + "/hbao/multisampled"));
+        const effect_view view = composed.view();
+        const auto packed = std::ranges::find(view.resources, "packed_layers", &resource::name);
+        REQUIRE(packed != view.resources.end());
+        CHECK(packed->texels == texels);
+        CHECK(packed->layers == groups);
+    }
 }
