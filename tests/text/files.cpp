@@ -24,6 +24,7 @@ std::string read(const fs::path& path) {
 
 // What the interface of a program declares for its files.
 constexpr std::string_view prelude = R"(#version 450
+#define crease_unroll
 const int crease_divisor = 1;
 const int crease_input_divisor = 2;
 int crease_view_index = 0;
