@@ -66,22 +66,18 @@ std::array<double, 4> sample_area(const picture& p, glm::dvec2 texel, glm::dvec3
 
 std::vector<area_texel> sums_over(const area_texels& t, const layering& of, int layers,
                                   const std::array<double, 4>& area) {
-    std::array<double, 4> box{};
+    std::array<int, 4> box{};
     for (std::size_t i = 0; i < 4; ++i) {
-        box[i] = area[i] / t.divisor;
-        if (t.divisor == 1)
-            box[i] = std::floor(box[i] + 0.5);
-        box[i] = std::clamp(box[i], 0.0, static_cast<double>(i % 2 == 0 ? t.width : t.height));
+        box[i] = std::clamp(static_cast<int>(std::floor(area[i] / t.divisor + 0.5)), 0,
+                            i % 2 == 0 ? t.width : t.height);
     }
     std::vector<area_texel> sums(static_cast<std::size_t>(layers));
-    for (int y = static_cast<int>(box[1]); y < box[3]; ++y)
-        for (int x = static_cast<int>(box[0]); x < box[2]; ++x) {
-            const double inside = (std::min(x + 1.0, box[2]) - std::max<double>(x, box[0])) *
-                                  (std::min(y + 1.0, box[3]) - std::max<double>(y, box[1]));
+    for (int y = box[1]; y < box[3]; ++y)
+        for (int x = box[0]; x < box[2]; ++x) {
             const area_texel& each = t.at(x, y);
             area_texel& sum = sums[static_cast<std::size_t>(of[static_cast<std::size_t>(y * t.width + x)])];
-            sum.position += inside * each.position;
-            sum.count += inside * each.count;
+            sum.position += each.position;
+            sum.count += each.count;
         }
     return sums;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Statistical volumetric obscurance as the paper states it: no tables, every area is summed texel by texel,
-// in double precision. An area covers a table's texel by the share of it that lies inside.
+// in double precision. An area holds a table's texels whose centres are in it.
 #pragma once
 
 #include "effect.hpp"

@@ -4,6 +4,7 @@
 #include "frame/fetch_loop.hpp"
 #include "frame/frame.hpp"
 #include "frame/table_copy.hpp"
+#include "frame/table_doubling.hpp"
 #include "image/file.hpp"
 #include "measure/compare.hpp"
 #include "measure/work.hpp"
@@ -266,6 +267,7 @@ void run(const bench_options& options) {
         throw std::runtime_error("none of the scenes has a camera that --cameras names");
     const double fetch_loop = time_fetch_loop(device, views[0].inputs, options.repeats);
     const double table_copy = time_table_copy(device, options.width, options.height, options.repeats);
+    const double table_doubling = time_table_doubling(device, options.width, options.height, options.repeats);
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     if (!options.as_json) {
         fmt::print(
@@ -274,6 +276,7 @@ void run(const bench_options& options) {
             device.name(), options.width, options.height, views[0].name, views[0].from.name, views.size());
         fmt::print("{:<58} {:7.2f} ms\n", "32 fetches of depth and no more", fetch_loop);
         fmt::print("{:<58} {:7.2f} ms\n", "a copy of as many texels of rgba32_float", table_copy);
+        fmt::print("{:<58} {:7.2f} ms\n", "their summed-area table by recursive doubling", table_doubling);
     }
     for (const std::string& text : options.recipes) {
         rows.push_back(measure(device, text, views, options));
@@ -286,6 +289,7 @@ void run(const bench_options& options) {
                                                   {"height", options.height},
                                                   {"fetch_loop_milliseconds", fetch_loop},
                                                   {"table_copy_milliseconds", table_copy},
+                                                  {"table_doubling_milliseconds", table_doubling},
                                                   {"recipes", rows}}
                                .dump(2));
 }

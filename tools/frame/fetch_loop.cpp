@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/fetch_loop.hpp"
 
-#include <algorithm>
+#include "frame/median_run.hpp"
 
 namespace crease::tools {
 
@@ -48,13 +48,7 @@ double time_fetch_loop(vulkan::device& device, const gbuffer& inputs, unsigned r
     vulkan::runner runner(device, {{}, passes, resources, {}, {}}, inputs.depth.width, inputs.depth.height,
                           {.guard = inputs.guard, .constants = {}, .shaders = {}});
     runner.upload("depth", inputs.device);
-    runner.run(parameters{}); // the first run compiles
-    std::vector<double> times;
-    for (unsigned i = 0; i < repeats; ++i)
-        times.push_back(runner.run(parameters{})[0].milliseconds);
-    const auto half = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-    std::nth_element(times.begin(), half, times.end());
-    return *half;
+    return median_run(runner, repeats);
 }
 
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/table_copy.hpp"
 
-#include <algorithm>
+#include "frame/median_run.hpp"
 
 namespace crease::tools {
 
@@ -39,13 +39,7 @@ double time_table_copy(vulkan::device& device, unsigned width, unsigned height, 
                             .constants = constants,
                             .size = {}}};
     vulkan::runner runner(device, {{}, passes, resources, {}, {}}, width, height);
-    runner.run(parameters{}); // the first run compiles
-    std::vector<double> times;
-    for (unsigned i = 0; i < repeats; ++i)
-        times.push_back(runner.run(parameters{})[0].milliseconds);
-    const auto half = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-    std::nth_element(times.begin(), half, times.end());
-    return *half;
+    return median_run(runner, repeats);
 }
 
 }

@@ -28,11 +28,6 @@ inline constexpr glsl_file sample_area_glsl{
 #include <crease/core/sample_area.glsl>
 };
 
-inline constexpr glsl_file area_fill_glsl{
-    "depth/area_fill.glsl",
-#include <crease/depth/area_fill.glsl>
-};
-
 inline constexpr glsl_file area_layers_glsl{
     "depth/area_layers.glsl",
 #include <crease/depth/area_layers.glsl>
@@ -83,6 +78,16 @@ inline constexpr glsl_file range_picture_glsl{
 #include <crease/depth/range_picture.glsl>
 };
 
+inline constexpr glsl_file scan_made_glsl{
+    "depth/scan_made.glsl",
+#include <crease/depth/scan_made.glsl>
+};
+
+inline constexpr glsl_file scan_stored_glsl{
+    "depth/scan_stored.glsl",
+#include <crease/depth/scan_stored.glsl>
+};
+
 inline constexpr glsl_file scan_glsl{
     "depth/scan.glsl",
 #include <crease/depth/scan.glsl>
@@ -130,6 +135,8 @@ inline constexpr std::string_view range_name[] = {"range"}, columns_name[] = {"r
                                   tables_name[] = {"area_tables"};
 inline constexpr const glsl_file* join_helpers[] = {&range_join_glsl};
 inline constexpr const glsl_file* fill_helpers[] = {&range_glsl, &area_texel_glsl};
+inline constexpr const glsl_file* stored_helpers[] = {&scan_stored_glsl};
+inline constexpr const glsl_file* made_helpers[] = {&range_glsl, &area_texel_glsl, &scan_made_glsl};
 inline constexpr const glsl_file* split_helpers[] = {&range_glsl,        &area_mean_glsl,  &area_texel_glsl,
                                                      &areas_stored_glsl, &area_query_glsl, &sample_area_glsl};
 inline constexpr const glsl_file* query_helpers[] = {&area_layers_glsl, &range_glsl, &area_mean_glsl,
@@ -151,6 +158,10 @@ inline constexpr step range_of_picture{.name = "range_of_picture",
                                        .group_width = 256,
                                        .group_height = 1};
 
+/// The workgroup of a pass that stores to tables: wide and flat, as rows of a table are often as long as what
+/// a cache takes for one place.
+inline constexpr int wide = 64, flat = 4;
+
 /// Stores the texels of tables; its body defines which.
 constexpr step fill(std::string_view name, const glsl_file* body) {
     return {.name = name,
@@ -160,7 +171,9 @@ constexpr step fill(std::string_view name, const glsl_file* body) {
             .needs = means,
             .helpers = fill_helpers,
             .reads = range_name,
-            .writes = tables_name};
+            .writes = tables_name,
+            .group_width = wide,
+            .group_height = flat};
 }
 
 /// The constants of a scan of the tables from `First` up to `End`, along the rows or the columns.
@@ -168,11 +181,22 @@ template <int First, int End, int Axis>
 inline constexpr step_constant scanned[] = {
     {"first", First, "scan"}, {"end", End, "scan"}, {"axis", Axis, "scan"}};
 
+/// Makes the texels of the table of the whole picture, and sums their rows.
+inline constexpr step make_rows{.name = "make_rows",
+                                .body = &scan_glsl,
+                                .kind = step_kind::rows,
+                                .includes = view,
+                                .needs = means,
+                                .helpers = made_helpers,
+                                .constants = scanned<0, 1, 0>,
+                                .reads = range_name,
+                                .writes = tables_name};
 template <int First, int End>
 constexpr step sum_rows(std::string_view name, int from = 0) {
     return {.name = name,
             .body = &scan_glsl,
             .kind = step_kind::rows,
+            .helpers = stored_helpers,
             .constants = scanned<First, End, 0>,
             .writes = tables_name,
             .how = access::modify,
@@ -183,6 +207,7 @@ constexpr step sum_columns(std::string_view name, int from = 0) {
     return {.name = name,
             .body = &scan_glsl,
             .kind = step_kind::columns,
+            .helpers = stored_helpers,
             .constants = scanned<First, End, 1>,
             .writes = tables_name,
             .how = access::modify,

@@ -17,8 +17,7 @@ struct summed_area_part {
     static constexpr step passes[] = {
         areas::range_of_columns,
         areas::range_of_picture,
-        areas::fill("downsample", &area_fill_glsl),
-        areas::sum_rows<0, 1>("sum_rows"),
+        areas::make_rows,
         areas::sum_columns<0, 1>("sum_columns"),
     };
     static constexpr part description{

@@ -32,6 +32,8 @@ constexpr step split(std::string_view name) {
             .reads = range_name,
             .writes = tables_name,
             .how = access::modify,
+            .group_width = wide,
+            .group_height = flat,
             .from = First + 1};
 }
 
@@ -48,8 +50,7 @@ struct summed_area_adaptive_part {
     static constexpr step passes[] = {
         areas::range_of_columns,
         areas::range_of_picture,
-        areas::fill("downsample", &area_fill_glsl),
-        areas::sum_rows<0, 1>("sum_rows_0"),
+        areas::make_rows,
         areas::sum_columns<0, 1>("sum_columns_0"),
         areas::split<1>("split_1"),
         areas::sum_rows<1, 2>("sum_rows_1", 2),

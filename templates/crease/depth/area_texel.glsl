@@ -14,8 +14,8 @@ vec3 crease_area_value(vec3 position, float centre);
 vec4 crease_area_texel(ivec2 at) {
     vec2 first = (vec2(at) - crease_view.guard) * float(crease_divisor) + 0.5;
     vec4 sum = vec4(0.0);
-    for (int j = 0; j < crease_divisor; ++j)
-        for (int i = 0; i < crease_divisor; ++i) {
+    crease_unroll for (int j = 0; j < crease_divisor; ++j)
+        crease_unroll for (int i = 0; i < crease_divisor; ++i) {
             vec2 texel = first + vec2(i, j);
             float depth = crease_area_depth(crease_depth_at(texel));
             if (crease_inside(texel) && depth > 0.0)

@@ -7,27 +7,38 @@ R"glsl("
 // invocations for it: each sums its piece, a work-efficient scan (up-sweep, down-sweep) of these sums gives what
 // stands before it, and then each writes its piece. The number of pieces is a power of 2.
 
+vec4 crease_scan_read(ivec3 at);
+vec4 crease_scan_reread(ivec3 at);
+
 shared vec4 crease_scan_sums[gl_WorkGroupSize.x * gl_WorkGroupSize.y];
+
+const int crease_scan_levels = 10; // of the largest workgroup
 
 // The sum of `own` of all invocations of the line before this one.
 vec4 crease_scan_before(vec4 own, int along, int pieces, int stride) {
     int at = int(gl_LocalInvocationIndex);
     crease_scan_sums[at] = own;
-    for (int reach = 1; reach < pieces; reach *= 2) {
-        barrier();
-        if ((along + 1) % (2 * reach) == 0)
-            crease_scan_sums[at] += crease_scan_sums[at - reach * stride];
+    crease_unroll for (int level = 0; level < crease_scan_levels; ++level) {
+        int reach = 1 << level;
+        if (reach < pieces) {
+            barrier();
+            if ((along + 1) % (2 * reach) == 0)
+                crease_scan_sums[at] += crease_scan_sums[at - reach * stride];
+        }
     }
     barrier();
     if (along == pieces - 1)
         crease_scan_sums[at] = vec4(0.0);
-    for (int reach = pieces / 2; reach > 0; reach /= 2) {
-        barrier();
-        if ((along + 1) % (2 * reach) == 0) {
-            vec4 before = crease_scan_sums[at];
-            vec4 left = crease_scan_sums[at - reach * stride];
-            crease_scan_sums[at - reach * stride] = before;
-            crease_scan_sums[at] = before + left;
+    crease_unroll for (int level = crease_scan_levels - 1; level >= 0; --level) {
+        int reach = 1 << level;
+        if (reach < pieces) {
+            barrier();
+            if ((along + 1) % (2 * reach) == 0) {
+                vec4 before = crease_scan_sums[at];
+                vec4 left = crease_scan_sums[at - reach * stride];
+                crease_scan_sums[at - reach * stride] = before;
+                crease_scan_sums[at] = before + left;
+            }
         }
     }
     barrier();
@@ -48,11 +59,11 @@ void crease_build_line(int line) {
     for (int table = crease_scan_first; table < min(crease_scan_end, size.z); ++table) {
         vec4 sum = vec4(0.0);
         for (int i = first; i < last; ++i)
-            sum += imageLoad(crease_area_tables, ivec3(start + i * step, table));
+            sum += crease_scan_read(ivec3(start + i * step, table));
         sum = crease_scan_before(sum, along, pieces, stride);
         for (int i = first; i < last; ++i) {
             ivec3 at = ivec3(start + i * step, table);
-            sum += imageLoad(crease_area_tables, at);
+            sum += crease_scan_reread(at);
             imageStore(crease_area_tables, at, sum);
         }
     }

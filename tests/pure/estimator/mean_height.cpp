@@ -21,5 +21,5 @@ TEST_CASE("mean_height recommends its settings, and folds layers by their mean")
     for (const setting& each : mean_height<>::reads)
         CHECK(oriented::defaults.*each.field == each.fallback);
     CHECK_FALSE(piece_of(oriented::passes.back(), "core/fold_mean.glsl").empty());
-    CHECK(contains(oriented::source<5>, "const int crease_mean_height_oriented = 1;"));
+    CHECK(contains(oriented::source<4>, "const int crease_mean_height_oriented = 1;"));
 }

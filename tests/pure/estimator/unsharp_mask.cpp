@@ -24,7 +24,7 @@ TEST_CASE("unsharp_mask says what means over areas are of, and only over areas")
     CHECK(piece_of(loop::passes[0], "estimator/unsharp_mask_areas.glsl").empty());
     for (const crease::pass& each : areas::passes) {
         const bool called =
-            each.name == "range_of_columns" || each.name == "downsample" || each.name == "visibility";
+            each.name == "range_of_columns" || each.name == "make_rows" || each.name == "visibility";
         CHECK(piece_of(each, "estimator/unsharp_mask_areas.glsl").empty() != called);
     }
 }
