@@ -41,7 +41,8 @@ double time_table_doubling(vulkan::device& device, unsigned width, unsigned heig
                              {.name = "output", .resource = 2, .how = access::store, .slot = 2}};
     const binding back[] = {{.name = "from", .resource = 2, .how = access::modify, .slot = 1},
                             {.name = "output", .resource = 1, .how = access::store, .slot = 2}};
-    const int rows = std::bit_width(width - 1), columns = std::bit_width(height - 1);
+    const int rows = static_cast<int>(std::bit_width(width - 1)),
+              columns = static_cast<int>(std::bit_width(height - 1));
     std::vector<std::array<constant, 4>> constants;
     for (int i = 0; i < rows + columns; ++i)
         constants.push_back({{{"compute", "width", 0, 16},

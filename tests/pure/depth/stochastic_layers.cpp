@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <tuple>
+#include <string>
 
 namespace {
 
@@ -60,16 +60,22 @@ TEST_CASE("a second camera has a capture, a packing and layers of its own") {
 }
 
 TEST_CASE("layers lie in groups of four; a single one needs one component") {
-    for (const auto& [samples, texels, groups] :
-         {std::tuple("1", format::r32_float, 1u), std::tuple("2", format::rgba32_float, 1u),
-          std::tuple("4", format::rgba32_float, 1u), std::tuple("5", format::rgba32_float, 2u)}) {
-        CAPTURE(std::string(samples));
+    struct expectation {
+        std::string samples;
+        format texels;
+        unsigned groups;
+    };
+    for (const expectation& expected : {expectation{"1", format::r32_float, 1},
+                                        {"2", format::rgba32_float, 1},
+                                        {"4", format::rgba32_float, 1},
+                                        {"5", format::rgba32_float, 2}}) {
+        CAPTURE(expected.samples);
         const composition composed(
-            recipe("directions:4x4/stochastic_layers:" + std::string(samples) + "/hbao/multisampled"));
+            recipe("directions:4x4/stochastic_layers:" + expected.samples + "/hbao/multisampled"));
         const effect_view view = composed.view();
         const auto packed = std::ranges::find(view.resources, "packed_layers", &resource::name);
         REQUIRE(packed != view.resources.end());
-        CHECK(packed->texels == texels);
-        CHECK(packed->layers == groups);
+        CHECK(packed->texels == expected.texels);
+        CHECK(packed->layers == expected.groups);
     }
 }
