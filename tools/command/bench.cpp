@@ -256,6 +256,31 @@ void print(const nlohmann::ordered_json& row) {
                    p["fetches"].get<unsigned>(), p["instructions"].get<unsigned>());
 }
 
+/// A pass of the bench's own, which says what the device can do.
+struct baseline {
+    std::string key, title;
+    double milliseconds = 0;
+};
+
+/// The baselines that the recipes are to be compared with: those of tables only where a recipe has tables.
+std::vector<baseline> time_baselines(vulkan::device& device, const gbuffer& inputs,
+                                     const bench_options& options) {
+    std::vector<baseline> all = {{"fetch_loop_milliseconds", "32 fetches of depth and no more",
+                                  time_fetch_loop(device, inputs, options.repeats)}};
+    const bool tables = std::ranges::any_of(options.recipes, [&options](const std::string& text) {
+        const recipe chosen = parse_candidate(text, options).chosen;
+        return std::ranges::any_of(chosen.choices(),
+                                   [](const choice& c) { return has(c.what->offers, &area_layers::value); });
+    });
+    if (!tables)
+        return all;
+    all.push_back({"table_copy_milliseconds", "a copy of as many texels of rgba32_float",
+                   time_table_copy(device, options.width, options.height, options.repeats)});
+    all.push_back({"table_doubling_milliseconds", "their summed-area table by recursive doubling",
+                   time_table_doubling(device, options.width, options.height, options.repeats)});
+    return all;
+}
+
 void run(const bench_options& options) {
     vulkan::device device({.name = options.device});
     std::vector<subject> views;
@@ -265,33 +290,29 @@ void run(const bench_options& options) {
             views.push_back(std::move(view));
     if (views.empty())
         throw std::runtime_error("none of the scenes has a camera that --cameras names");
-    const double fetch_loop = time_fetch_loop(device, views[0].inputs, options.repeats);
-    const double table_copy = time_table_copy(device, options.width, options.height, options.repeats);
-    const double table_doubling = time_table_doubling(device, options.width, options.height, options.repeats);
+    const std::vector<baseline> baselines = time_baselines(device, views[0].inputs, options);
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     if (!options.as_json) {
         fmt::print(
             "{}, {} x {}, times on {} {}, errors the mean of {} views, change that of a pixel when the "
             "camera turns by half of one\n",
             device.name(), options.width, options.height, views[0].name, views[0].from.name, views.size());
-        fmt::print("{:<58} {:7.2f} ms\n", "32 fetches of depth and no more", fetch_loop);
-        fmt::print("{:<58} {:7.2f} ms\n", "a copy of as many texels of rgba32_float", table_copy);
-        fmt::print("{:<58} {:7.2f} ms\n", "their summed-area table by recursive doubling", table_doubling);
+        for (const baseline& b : baselines)
+            fmt::print("{:<58} {:7.2f} ms\n", b.title, b.milliseconds);
     }
     for (const std::string& text : options.recipes) {
         rows.push_back(measure(device, text, views, options));
         if (!options.as_json)
             print(rows.back());
     }
-    if (options.as_json)
-        fmt::print("{}\n", nlohmann::ordered_json{{"device", std::string(device.name())},
-                                                  {"width", options.width},
-                                                  {"height", options.height},
-                                                  {"fetch_loop_milliseconds", fetch_loop},
-                                                  {"table_copy_milliseconds", table_copy},
-                                                  {"table_doubling_milliseconds", table_doubling},
-                                                  {"recipes", rows}}
-                               .dump(2));
+    if (!options.as_json)
+        return;
+    nlohmann::ordered_json whole = {
+        {"device", std::string(device.name())}, {"width", options.width}, {"height", options.height}};
+    for (const baseline& b : baselines)
+        whole[b.key] = b.milliseconds;
+    whole["recipes"] = rows;
+    fmt::print("{}\n", whole.dump(2));
 }
 
 }
