@@ -34,10 +34,21 @@ inline std::vector<std::string> filter_chains() {
     return chains;
 }
 
-/// The recipe of every legal composition of the parts of crease, the numbers left at their defaults. Those
-/// that only say how a geometry pass captures layers, which the other passes do not depend on, are varied by
-/// themselves.
+/// Each text as it is, and with each part of the roles added.
+inline std::vector<std::string> one_by_one(const std::vector<std::string>& texts,
+                                           std::initializer_list<crease::role> roles) {
+    std::vector<std::string> words{""};
+    for (crease::role each : roles)
+        for (const std::string& name : names_of(each))
+            words.push_back(name);
+    return times(texts, words);
+}
+
+/// The recipes of legal compositions of the parts of crease, the numbers left at their defaults. Every
+/// sampler, depth source and estimator meets every view, stage and dialect; what may be added to these three
+/// meets all filters, and then the views, stages and dialects one by one, as roles call each other in pairs.
 inline std::vector<std::string> every_recipe() {
+    using enum crease::role;
     const auto legal = [](std::vector<std::string> texts) {
         std::erase_if(texts, [](const std::string& text) { return !crease::recipe(text); });
         return texts;
@@ -47,23 +58,18 @@ inline std::vector<std::string> every_recipe() {
         names.emplace_back("");
         return names;
     };
-    std::vector<std::string> three =
-        times(names_of(crease::role::sampler), names_of(crease::role::depth_source));
-    three = legal(times(three, names_of(crease::role::estimator)));
-    const std::vector<std::string> captures = legal(
-        times(times(three, names_of(crease::role::layer_carrier)), names_of(crease::role::layer_sampling)));
-    three = legal(times(three, optional(crease::role::fold)));
-    three = legal(times(three, optional(crease::role::second_view)));
-    three = legal(times(three, names_of(crease::role::output)));
-    std::vector<std::string> all = times(three, filter_chains());
-    for (crease::role each : {crease::role::projection, crease::role::depth_encoding, crease::role::normals,
-                              crease::role::stage, crease::role::dialect})
+    const std::vector<std::string> three =
+        legal(times(times(names_of(sampler), names_of(depth_source)), names_of(estimator)));
+    std::vector<std::string> all = three;
+    for (crease::role each : {projection, depth_encoding, normals, stage, dialect})
         all = times(all, names_of(each));
-    for (const std::string& text :
-         times(times(captures, names_of(crease::role::projection)), names_of(crease::role::dialect)))
-        all.push_back(text);
-    // Noise touches the three and the filters, and nothing else.
-    for (const std::string& text : times(times(three, filter_chains()), names_of(crease::role::noise)))
-        all.push_back(text);
+    std::vector<std::string> more = legal(times(three, optional(fold)));
+    more = legal(times(more, optional(second_view)));
+    more = times(legal(times(more, names_of(output))), filter_chains());
+    const std::vector<std::string> captures = times(
+        legal(times(times(three, names_of(layer_carrier)), names_of(layer_sampling))), names_of(projection));
+    for (const auto& each : {one_by_one(more, {projection, depth_encoding, normals, noise, stage, dialect}),
+                             times(captures, names_of(dialect))})
+        all.insert(all.end(), each.begin(), each.end());
     return legal(std::move(all));
 }

@@ -51,7 +51,7 @@ void check_constants(const pass& each) {
 
 }
 
-TEST_CASE("every legal composition is whole, and its bindings and constants are distinct") {
+TEST_CASE("legal compositions are whole, and its bindings and constants are distinct") {
     const std::vector<std::string> all = every_recipe();
     CHECK(all.size() >= 4 * 7 * 8 * 6);
     for (const std::string& text : all) {
