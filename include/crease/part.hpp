@@ -139,7 +139,8 @@ struct part {
     array_view<const role> wants{};             ///< roles, else absent, of which the effect must have a part
     array_view<const resource> resources{};     ///< what its functions read
     array_view<const resource> intermediates{}; ///< what only its steps read and write
-    array_view<const step> steps{};  ///< a depth source's before the main pass, a filter's after it
+    array_view<const step>
+        steps{}; ///< a depth encoding's and a depth source's before the main pass, a filter's after it
     const glsl_file* fold = nullptr; ///< how the layers of a tap become one contribution, where there is
                                      ///< no part of the role; a depth source's comes before an estimator's
     const glsl_file* packs =

@@ -50,6 +50,7 @@
 #include <crease/view/device_depth.hpp>
 #include <crease/view/given_normals.hpp>
 #include <crease/view/linear_depth.hpp>
+#include <crease/view/linearised_depth.hpp>
 #include <crease/view/orthographic.hpp>
 #include <crease/view/perspective.hpp>
 #include <crease/view/reconstructed_normals.hpp>
@@ -99,6 +100,7 @@ inline constexpr const part* all_parts[] = {
     &orthographic::description,
     &device_depth::description,
     &linear_depth::description,
+    &linearised_depth::description,
     &given_normals::description,
     &reconstructed_normals::description,
     &hashed_noise::description,

@@ -28,26 +28,6 @@ enum class dispatch : unsigned char {
     columns ///< a workgroup as high as the image, whatever its height: (width / group width, 1, 1)
 };
 
-/// How a pass touches a resource.
-enum class access : unsigned char {
-    uniform,    ///< a std140 block
-    sample,     ///< a sampled image, nearest filter, clamped to the edge, one level
-    store,      ///< a storage image that is written
-    modify,     ///< a storage image that is changed by atomic operations
-    attachment, ///< a colour attachment; has no binding, its location is `slot`
-    result      ///< the return value of a function; has no binding
-};
-
-/// Whether a pass writes what it touches so.
-constexpr bool writes(access how) {
-    return how != access::uniform && how != access::sample;
-}
-
-/// Whether what is touched so has a descriptor.
-constexpr bool has_descriptor(access how) {
-    return how != access::attachment && how != access::result;
-}
-
 /// One resource that a pass uses, and where it is bound.
 struct binding {
     std::string_view name; ///< "parameters", "input", "output" or the resource's; in GLSL crease_<name>

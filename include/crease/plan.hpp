@@ -151,12 +151,12 @@ constexpr void add_capture(plan& p, const choice& carrier, int view, std::string
     p.captures.add({.what = &s, .owner = carrier, .output = p.index_of(name), .view = view});
 }
 
-/// The steps of the depth source, which fill what the main pass reads of it.
-constexpr void add_builds(plan& p, const choice& source, int view, unsigned divisor) {
-    for (const step& s : source.what->steps) {
-        if (source.numbers[0] < s.from)
+/// The steps of the depth encoding or the depth source, which fill what later passes read of it.
+constexpr void add_builds(plan& p, const choice& owner, int view, unsigned divisor) {
+    for (const step& s : owner.what->steps) {
+        if (owner.numbers[0] < s.from)
             continue;
-        planned_pass pass{.what = &s, .body = s.body, .owner = source, .view = view};
+        planned_pass pass{.what = &s, .body = s.body, .owner = owner, .view = view};
         for (std::string_view name : s.writes)
             pass.outputs.add(p.index_of(name));
         pass.size = p.resources[pass.outputs[0]].size;
@@ -229,10 +229,13 @@ constexpr plan make_plan(std::span<const choice> choices) {
             planning::add_capture(p, *carrier, 1, second->what->intermediates[0].name, second_divisor);
     }
     planning::add_inputs(p, main_roles);
-    planning::add_resources(p, source.what->intermediates);
-    for (const step& s : source.what->steps)
-        planning::add_inputs(p, s.includes);
-    planning::add_builds(p, source, 0, 1);
+    const choice& depth = p.chosen(role::depth_encoding);
+    for (const choice* owner : {&depth, &source}) {
+        planning::add_resources(p, owner->what->intermediates);
+        for (const step& s : owner->what->steps)
+            planning::add_inputs(p, s.includes);
+        planning::add_builds(p, *owner, 0, 1);
+    }
     if (second)
         planning::add_builds(p, source, 1, second_divisor);
     const std::size_t first = p.passes.size();

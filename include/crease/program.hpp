@@ -83,20 +83,24 @@ public:
         out.constants.add({"compute", "height", next_id_++, height});
     }
 
-    /// @param name  in GLSL; what is there already is not added again
+    /// @param name  in GLSL
     constexpr void bind(std::string_view name, unsigned resource, access how) {
-        if (how == access::sample)
-            for (const binding& before : out.bindings)
-                if (before.resource == resource)
-                    return;
         out.bindings.add({.name = name, .resource = resource, .how = how});
+    }
+
+    /// What is there already is not added again.
+    constexpr void bind_read(std::string_view name, unsigned resource) {
+        for (const binding& before : out.bindings)
+            if (before.resource == resource)
+                return;
+        bind(name, resource, plan_.resources[resource].read);
     }
 
     constexpr void bind_resources_of(array_view<const role> roles, int view) {
         for (role r : roles)
             if (const choice* c = plan_.find(r))
                 for (const resource& used : c->what->resources)
-                    bind(used.name, plan_.index_of(used.name, view), access::sample);
+                    bind_read(used.name, plan_.index_of(used.name, view));
     }
 
     // Vulkan counts all bindings of a set; OpenGL counts blocks, textures and images apart.
@@ -160,8 +164,9 @@ public:
     }
 
 private:
-    static constexpr int kind(const binding& b) {
-        return b.how == access::modify ? static_cast<int>(access::store) : static_cast<int>(b.how);
+    // Images that are stored to, changed or loaded share their units.
+    static constexpr access kind(const binding& b) {
+        return b.how == access::modify || b.how == access::load ? access::store : b.how;
     }
 
     constexpr void write_place(const binding& b) {
@@ -181,11 +186,14 @@ private:
             if (vulkan_)
                 text << b.set << ", binding = ";
             text << b.slot << ") uniform " << prefix << "sampler" << shape << " crease_" << b.name << ";\n";
-        } else if (b.how == access::store || b.how == access::modify) {
+        } else if (kind(b) == access::store) {
             text << "layout(" << texels.glsl;
             write_place(b);
-            text << ") uniform " << (b.how == access::store ? "writeonly " : "") << prefix << "image" << shape
-                 << " crease_" << b.name << ";\n";
+            text << ") uniform "
+                 << (b.how == access::store  ? "writeonly "
+                     : b.how == access::load ? "readonly "
+                                             : "")
+                 << prefix << "image" << shape << " crease_" << b.name << ";\n";
         } else if (b.how == access::attachment && has_main_) {
             text << "layout(location = " << b.slot << ") out " << prefix << "vec4 crease_" << b.name << ";\n";
         }
@@ -258,9 +266,9 @@ constexpr program write_evaluate(const plan& p, const planned_pass& pass) {
     to.bind("parameters", 0, access::uniform);
     to.bind_resources_of(roles, 0);
     for (std::string_view name : pass.what->reads)
-        to.bind(name, p.index_of(name), access::sample);
+        to.bind_read(name, p.index_of(name));
     if (pass.input >= 0)
-        to.bind("input", static_cast<unsigned>(pass.input), access::sample);
+        to.bind_read("input", static_cast<unsigned>(pass.input));
     constexpr access of_stage[] = {access::store, access::attachment, access::result};
     for (std::size_t i = 0; i < pass.outputs.size(); ++i)
         to.bind(i == 0 ? "output" : p.resources[pass.outputs[i]].name, pass.outputs[i],
@@ -320,7 +328,7 @@ constexpr program write_build(const plan& p, const planned_pass& pass) {
     to.bind("parameters", 0, access::uniform);
     to.bind_resources_of(s.includes, pass.view);
     for (std::string_view name : s.reads)
-        to.bind(name, p.index_of(name, pass.view), access::sample);
+        to.bind_read(name, p.index_of(name, pass.view));
     for (std::size_t i = 0; i < pass.outputs.size(); ++i)
         to.bind(p.resources[pass.outputs[i]].name, pass.outputs[i], s.how);
     to.number_bindings();
@@ -364,7 +372,7 @@ constexpr program write_program(const plan& p, const planned_capture& capture) {
     to.bind("parameters", 0, access::uniform);
     for (role r : s.includes)
         for (const resource& used : p.chosen(r).what->resources)
-            to.bind(used.name, p.index_of(used.name), access::sample);
+            to.bind_read(used.name, p.index_of(used.name));
     to.bind(s.writes, capture.output, s.how);
     to.number_bindings();
     to.add_constants_of(p.chosen(role::depth_source));

@@ -43,6 +43,27 @@ constexpr format_facts facts_of(format f) {
     return all[static_cast<unsigned>(f)];
 }
 
+/// How a pass touches a resource.
+enum class access : unsigned char {
+    uniform,    ///< a std140 block
+    sample,     ///< a sampled image, nearest filter, clamped to the edge, one level
+    load,       ///< a storage image that is read
+    store,      ///< a storage image that is written
+    modify,     ///< a storage image that is changed by atomic operations
+    attachment, ///< a colour attachment; has no binding, its location is `slot`
+    result      ///< the return value of a function; has no binding
+};
+
+/// Whether a pass writes what it touches so.
+constexpr bool writes(access how) {
+    return how != access::uniform && how != access::sample && how != access::load;
+}
+
+/// Whether what is touched so has a descriptor.
+constexpr bool has_descriptor(access how) {
+    return how != access::attachment && how != access::result;
+}
+
 /// Who fills a resource, and how long its content lives.
 enum class lifetime : unsigned char {
     input,     ///< filled by the host before the first pass
@@ -90,9 +111,10 @@ struct resource {
                       ///< format that samples as float will do. `none`: the block of parameters
     lifetime life = lifetime::input;
     extent size{};
-    unsigned layers = 1;     ///< of an array image
-    unsigned samples = 1;    ///< of a multisampled image
-    bool arrayed = false;    ///< an array image, also where it has one layer
+    unsigned layers = 1;          ///< of an array image
+    unsigned samples = 1;         ///< of a multisampled image
+    bool arrayed = false;         ///< an array image, also where it has one layer
+    access read = access::sample; ///< how passes read it; or load
     std::uint32_t clear = 0; ///< what each component of a captured storage image holds before the capture
     counted layers_by{}, samples_by{};   ///< of a part's description; an effect has the counts
     format texels_of_one = format::none; ///< of a part's description: the texels where the number of

@@ -116,7 +116,8 @@ TEST_CASE("a guard band lets what stands beside the picture darken it") {
     const float edge = 6 * std::tan(0.4363f) * 200 / 120; // where the picture ends at depth 6
     add_box(scene, {edge + 0.02f, -1, -8}, {edge + 0.5f, 2, -4});
     for (const char* text :
-         {"directions:8x6/single_layer/hbao", "directions:8x6/stochastic_layers:4/hbao/atomic_minimum"}) {
+         {"directions:8x6/single_layer/hbao", "directions:8x6/single_layer/hbao/linearised_depth",
+          "directions:8x6/stochastic_layers:4/hbao/atomic_minimum"}) {
         CAPTURE(std::string(text));
         const frame bare = render(scene, from, text, 0, 1), guarded = render(scene, from, text, 48, 1);
         double bare_edge = 0, guarded_edge = 0;

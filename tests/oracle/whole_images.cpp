@@ -79,13 +79,15 @@ TEST_CASE("every estimator and sampler, in every projection") {
         }
 }
 
-TEST_CASE("reconstructed normals, linear depth and the fragment stage") {
+TEST_CASE("reconstructed normals, linear and linearised depth, and the fragment stage") {
     for (const technique& t : techniques()) {
         CAPTURE(t.recipe);
         CHECK(differ(t, "", lens::standard, true).mean < one_step);
         CHECK(differ(t, "/linear_depth", lens::standard, false).mean < 0.6 * one_step);
         CHECK(differ(t, "/fragment", lens::standard, false).mean < 0.6 * one_step);
         CHECK(differ(t, "/fragment/linear_depth", lens::orthographic, true).mean < one_step);
+        CHECK(differ(t, "/linearised_depth", lens::reversed, false).mean < 0.6 * one_step);
+        CHECK(differ(t, "/fragment/linearised_depth", lens::orthographic, true).mean < one_step);
     }
 }
 

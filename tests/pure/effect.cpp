@@ -106,6 +106,8 @@ TEST_CASE("an effect and the recipe of its parts are equal to the byte") {
         "poisson_disk/single_layer/hbao_plus/fragment/opengl");
     check_equal_to<directions<>, single_layer, hbao, orthographic, linear_depth, reconstructed_normals>(
         "directions/single_layer/hbao/orthographic/linear_depth/reconstructed_normals");
+    check_equal_to<directions<>, single_layer, hbao, fragment, linearised_depth>(
+        "directions/single_layer/hbao/fragment/linearised_depth");
     check_equal_to<directions<>, single_layer, hbao, functions<1, 3, 20>>(
         "directions/single_layer/hbao/functions:1x3x20");
     check_equal_to<hemisphere_points<>, single_layer, ssao, functions<0, 2>, opengl_glsl>(

@@ -63,7 +63,7 @@ std::string resources_for(const std::string& file) {
             owns = owns || is(helper);
         if (owns)
             for (const crease::resource& r : p->resources)
-                add(r.name, crease::access::sample);
+                add(r.name, r.read);
         for (const crease::step& s : p->steps) {
             bool in_step = is(s.body);
             for (const crease::glsl_file* helper : s.helpers)

@@ -142,12 +142,14 @@ private:
         if (b.how == access::uniform)
             return compare_block(f);
         const resource& image = effect_.resources[b.resource];
-        const bool stored = b.how == access::store || b.how == access::modify;
-        if (stored)
+        const bool stored = writes(b.how);
+        if (stored || b.how == access::load)
             differ("the format of " + name, std::string(facts_of(image.texels).name),
                    std::string(facts_of(f.texels).name));
         if (stored && !f.writable)
             say(name + " is declared as stored to, but the SPIR-V only reads it");
+        if (b.how == access::load && f.writable)
+            say(name + " is declared as loaded, but the SPIR-V may store to it");
         const bool whole_numbers = facts_of(image.texels).whole_numbers;
         if (f.component != (whole_numbers ? scalar_kind::unsigned_integer : scalar_kind::floating_point))
             say(name + " holds " + std::string(facts_of(image.texels).name) +

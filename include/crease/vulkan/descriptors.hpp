@@ -23,7 +23,8 @@ constexpr image_use shader_use_of(access how, VkPipelineStageFlags stage) {
         return {stage, VK_ACCESS_SHADER_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, true};
     if (how == access::modify)
         return {stage, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, true};
-    return {stage, VK_ACCESS_SHADER_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false};
+    return {stage, VK_ACCESS_SHADER_READ_BIT,
+            how == access::load ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false};
 }
 
 inline owned_sampler make_nearest_sampler(const device& on) {

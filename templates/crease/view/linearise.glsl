@@ -1,0 +1,15 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// Stores the linear depth of each texel of the depth buffer.
+
+float crease_linear_depth(float device);
+
+void crease_build(ivec2 texel) {
+    float device = textureLod(crease_depth, (vec2(texel) + 0.5) * crease_view.texel_size, 0.0).x;
+    imageStore(crease_linearised_depth, texel, vec4(crease_linear_depth(device)));
+}
+#ifdef __cplusplus
+")glsl"
+#endif
