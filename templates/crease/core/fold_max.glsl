@@ -4,7 +4,7 @@ R"glsl("
 // SPDX-License-Identifier: MIT
 // The layers of a tap count as the one that occludes the most: stochastic-depth-ao 6.2, a-buffer-ssao III A.
 
-int crease_layer_count(crease_layers layers);
+int crease_layer_count();
 float crease_layer_depth(crease_layers layers, int layer);
 vec3 crease_view_position(vec2 texel, float depth);
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position);
@@ -13,7 +13,7 @@ crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiv
                                 crease_layers layers) {
     crease_contribution most = crease_weigh(
         estimate, receiver, tap, crease_view_position(tap.texel, crease_layer_depth(layers, 0)));
-    for (int layer = 1; layer < crease_layer_count(layers); ++layer) {
+    crease_unroll for (int layer = 1; layer < crease_layer_count(); ++layer) {
         crease_contribution other = crease_weigh(
             estimate, receiver, tap, crease_view_position(tap.texel, crease_layer_depth(layers, layer)));
         if (other.occlusion > most.occlusion)

@@ -12,7 +12,7 @@ struct crease_layers {
 
 crease_layers crease_fetch_layers(vec2 texel) { return crease_layers(crease_depth_at(texel)); }
 
-int crease_layer_count(crease_layers layers) { return 1; }
+int crease_layer_count() { return 1; }
 
 float crease_layer_depth(crease_layers layers, int layer) { return layers.depth; }
 #ifdef __cplusplus

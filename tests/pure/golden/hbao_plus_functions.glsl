@@ -141,7 +141,7 @@ struct crease_layers {
 
 crease_layers crease_fetch_layers(vec2 texel) { return crease_layers(crease_depth_at(texel)); }
 
-int crease_layer_count(crease_layers layers) { return 1; }
+int crease_layer_count() { return 1; }
 
 float crease_layer_depth(crease_layers layers, int layer) { return layers.depth; }
 // SPDX-License-Identifier: MIT
@@ -267,7 +267,7 @@ crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver
 // SPDX-License-Identifier: MIT
 // The layers of a tap count as the one that occludes the most: stochastic-depth-ao 6.2, a-buffer-ssao III A.
 
-int crease_layer_count(crease_layers layers);
+int crease_layer_count();
 float crease_layer_depth(crease_layers layers, int layer);
 vec3 crease_view_position(vec2 texel, float depth);
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position);
@@ -276,7 +276,7 @@ crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiv
                                 crease_layers layers) {
     crease_contribution most = crease_weigh(
         estimate, receiver, tap, crease_view_position(tap.texel, crease_layer_depth(layers, 0)));
-    for (int layer = 1; layer < crease_layer_count(layers); ++layer) {
+    crease_unroll for (int layer = 1; layer < crease_layer_count(); ++layer) {
         crease_contribution other = crease_weigh(
             estimate, receiver, tap, crease_view_position(tap.texel, crease_layer_depth(layers, layer)));
         if (other.occlusion > most.occlusion)
@@ -290,6 +290,7 @@ crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiv
 crease_pattern crease_pattern_begin(crease_receiver receiver);
 int crease_direction_count();
 int crease_step_count();
+int crease_layer_count();
 vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
 crease_estimate crease_estimate_begin(crease_receiver receiver);
@@ -306,7 +307,9 @@ void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiv
                           vec2 direction);
 
 const int crease_batch = 4; // taps whose layers are fetched before any is weighed, so that the waits overlap
-const int crease_written_out = 8; // taps of a direction up to which no loop is left, as a loop costs some drivers dearly
+// No loop is left where it is short, as a loop costs some drivers dearly: up to so many taps of a direction, and so
+// many layers of all taps.
+const int crease_written_out = 8, crease_all_written_out = 64;
 
 void crease_take(inout crease_estimate estimate, inout crease_gathered gathered, inout crease_pattern pattern,
                  crease_receiver receiver, int first, int count) {
@@ -324,23 +327,36 @@ void crease_take(inout crease_estimate estimate, inout crease_gathered gathered,
     }
 }
 
+bool crease_all_is_short() {
+    return crease_direction_count() * crease_step_count() * crease_layer_count() <= crease_all_written_out;
+}
+
+void crease_march(inout crease_estimate estimate, inout crease_gathered gathered, inout crease_pattern pattern,
+                  crease_receiver receiver, int i) {
+    vec2 direction = crease_pattern_turn(pattern, receiver, i);
+    crease_estimate_turn(estimate, direction);
+    int rest = crease_step_count() % crease_batch, whole = crease_step_count() - rest;
+    if (whole <= crease_written_out || crease_all_is_short()) {
+        crease_unroll for (int step = 0; step < whole; step += crease_batch)
+            crease_take(estimate, gathered, pattern, receiver, step, crease_batch);
+    } else {
+        for (int step = 0; step < whole; step += crease_batch)
+            crease_take(estimate, gathered, pattern, receiver, step, crease_batch);
+    }
+    crease_take(estimate, gathered, pattern, receiver, whole, rest);
+    crease_gathered_turn(gathered, receiver, estimate, direction);
+}
+
 crease_gathered crease_gather(crease_receiver receiver) {
     crease_pattern pattern = crease_pattern_begin(receiver);
     crease_estimate estimate = crease_estimate_begin(receiver);
     crease_gathered gathered = crease_gathered_begin();
-    for (int i = 0; i < crease_direction_count(); ++i) {
-        vec2 direction = crease_pattern_turn(pattern, receiver, i);
-        crease_estimate_turn(estimate, direction);
-        int rest = crease_step_count() % crease_batch, whole = crease_step_count() - rest;
-        if (whole <= crease_written_out) {
-            crease_unroll for (int step = 0; step < whole; step += crease_batch)
-                crease_take(estimate, gathered, pattern, receiver, step, crease_batch);
-        } else {
-            for (int step = 0; step < whole; step += crease_batch)
-                crease_take(estimate, gathered, pattern, receiver, step, crease_batch);
-        }
-        crease_take(estimate, gathered, pattern, receiver, whole, rest);
-        crease_gathered_turn(gathered, receiver, estimate, direction);
+    if (crease_all_is_short()) {
+        crease_unroll for (int i = 0; i < crease_direction_count(); ++i)
+            crease_march(estimate, gathered, pattern, receiver, i);
+    } else {
+        for (int i = 0; i < crease_direction_count(); ++i)
+            crease_march(estimate, gathered, pattern, receiver, i);
     }
     gathered.occlusion = crease_estimate_occlusion(estimate);
     return gathered;
