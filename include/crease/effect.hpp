@@ -44,10 +44,9 @@ struct characters {
 };
 
 template <std::size_t Size>
-constexpr characters<Size> copy(const char* from) {
+constexpr characters<Size> write(const interface_text& text) {
     characters<Size> all{};
-    for (std::size_t i = 0; i < Size; ++i)
-        all.items[i] = from[i];
+    text.write(all);
     return all;
 }
 
@@ -68,12 +67,36 @@ struct block<Size, 0, Rest> {
 };
 #pragma pack(pop)
 
+struct eight {
+    char characters[8];
+};
+
+template <std::size_t Size>
+constexpr block<Size> block_at(const char* from) {
+    block<Size> all{};
+    if constexpr (Size >= 8)
+        for (std::size_t i = 0; i < Size / 8; ++i, from += 8)
+            all.words[i] = std::bit_cast<std::uint64_t>(
+                eight{{from[0], from[1], from[2], from[3], from[4], from[5], from[6], from[7]}});
+    if constexpr (Size % 8 != 0)
+        for (std::size_t i = 0; i < Size % 8; ++i)
+            all.rest[i] = from[i];
+    return all;
+}
+
 // A block per place, as a type may be a base only once.
 template <std::size_t, class Block>
 struct placed : Block {};
 
 template <class... Blocks>
 struct joined : Blocks... {};
+
+// Never copied to characters, which would take a compiler longer than all else together.
+template <class Blocks>
+union text_of {
+    Blocks blocks;
+    char characters[sizeof(Blocks)];
+};
 
 /// The list without its unused places.
 template <std::size_t Count, class Item, std::size_t Capacity>
@@ -86,8 +109,7 @@ constexpr std::array<Item, Count> shrink(const fixed_list<Item, Capacity>& list)
 
 // Each file's characters are copied once, however many programs hold them.
 template <const glsl_file* File>
-inline constexpr auto
-    block_of = std::bit_cast<block<File->text.size()>>(copy<File->text.size()>(File->text.data()));
+inline constexpr auto block_of = block_at<File->text.size()>(File->text.data());
 
 }
 
@@ -128,12 +150,12 @@ class effect {
     static constexpr program draft = write_program(planned, planned_program<Program>());
 
     template <std::size_t Program>
-    static constexpr auto interface_characters =
-        joining::copy<draft<Program>.interface.count>(draft<Program>.interface.characters);
+    static constexpr auto
+        interface_characters = joining::write<draft<Program>.interface.size()>(draft<Program>.interface);
 
     template <std::size_t Program>
     static constexpr glsl_file interface_piece{
-        "interface", std::string_view(interface_characters<Program>.items, draft<Program>.interface.count)};
+        "interface", std::string_view(interface_characters<Program>.items, draft<Program>.interface.size())};
 
     template <std::size_t Program, std::size_t... I>
     static constexpr std::array<piece, 1 + sizeof...(I)> list_pieces(std::index_sequence<I...>) {
@@ -166,15 +188,13 @@ class effect {
     template <std::size_t Program, std::size_t... I>
     static constexpr auto join(std::index_sequence<I...>) {
         using namespace joining;
-        using interface_block = block<draft<Program>.interface.count>;
+        using interface_block = block<draft<Program>.interface.size()>;
         using whole =
             joined<placed<0, interface_block>, placed<1 + I, block<draft<Program>.files[I]->text.size()>>...,
                    placed<1 + sizeof...(I), block<1>>>;
-        using text = std::array<char, sizeof(whole)>;
-        return __builtin_bit_cast(text,
-                                  (whole{{__builtin_bit_cast(interface_block, interface_characters<Program>)},
-                                         {block_of<draft<Program>.files[I]>}...,
-                                         {block<1>{{'\0'}}}}));
+        return text_of<whole>{whole{{__builtin_bit_cast(interface_block, interface_characters<Program>)},
+                                    {block_of<draft<Program>.files[I]>}...,
+                                    {block<1>{{'\0'}}}}};
     }
 
     template <std::size_t Program>
@@ -208,14 +228,15 @@ public:
     static constexpr parameters defaults =
         default_parameters({planned.choices.data(), planned.choices.size()});
 
-    /// The whole text of a pass, NUL-terminated, with static storage; made only where it is named.
+    /// The whole text of a pass, NUL-terminated, with static storage; made only where it is named. Its
+    /// characters are read at run time, as they are kept in words; constant expressions read `pieces`.
     template <std::size_t Pass>
-    static constexpr std::string_view source{text<capture_count + Pass>.data(),
-                                             text<capture_count + Pass>.size() - 1};
+    static constexpr std::string_view source{text<capture_count + Pass>.characters,
+                                             sizeof(text<capture_count + Pass>) - 1};
 
     /// The whole text of a capture, likewise.
     template <std::size_t Capture>
-    static constexpr std::string_view capture_source{text<Capture>.data(), text<Capture>.size() - 1};
+    static constexpr std::string_view capture_source{text<Capture>.characters, sizeof(text<Capture>) - 1};
 
     /// The effect as data, for a renderer.
     static constexpr effect_view view() { return {captures, passes, resources, features, defaults}; }

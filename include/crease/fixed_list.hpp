@@ -42,6 +42,10 @@ struct fixed_text {
         count = at + size;
         return *this;
     }
+    // A compiler knows the length of a literal, and std::string_view counts it character by character.
+    constexpr fixed_text& operator<<(const char* literal) {
+        return *this << std::string_view(literal, __builtin_strlen(literal));
+    }
     constexpr fixed_text& operator<<(int value) {
         char digits[12]{};
         std::size_t first = 12;

@@ -16,7 +16,10 @@ struct glsl_file {
     unsigned first_line = 1; ///< line of the file at which `text` begins
 
     constexpr glsl_file() = default;
-    constexpr glsl_file(std::string_view file, std::string_view literal) : name(file), text(literal) {
+    // A compiler knows the length of a literal, and std::string_view counts it character by character.
+    constexpr glsl_file(std::string_view file, const char* literal)
+        : glsl_file(file, std::string_view(literal, __builtin_strlen(literal))) {}
+    constexpr glsl_file(std::string_view file, std::string_view glsl) : name(file), text(glsl) {
         constexpr std::string_view opening = "\"\n#endif\n", closing = "#ifdef __cplusplus\n\"";
         if (text.starts_with(opening) && text.ends_with(closing)) {
             text.remove_prefix(opening.size());

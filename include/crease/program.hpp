@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <crease/interface_text.hpp>
 #include <crease/plan.hpp>
 #include <crease/stage/fragment.hpp>
 
@@ -9,7 +10,6 @@ namespace crease {
 using file_list = fixed_list<const glsl_file*, 40>;
 using binding_list = fixed_list<binding, 16>;
 using constant_list = fixed_list<constant, 32>;
-using interface_text = fixed_text<3072>;
 
 /// A program before its pieces are joined.
 struct program {

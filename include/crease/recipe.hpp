@@ -152,6 +152,9 @@ public:
 private:
     struct storage {
         program written;
+        struct {
+            char items[interface_text::most_characters];
+        } interface;
         glsl_file pieces[1 + 40];
         std::size_t piece_count = 0;
     };
@@ -161,7 +164,9 @@ private:
     Described described(const plan& planned, const Planned& each) {
         storage& own = storage_[used_++];
         own.written = write_program(planned, each);
-        own.pieces[own.piece_count++] = {"interface", own.written.interface.view()};
+        own.written.interface.write(own.interface);
+        own.pieces[own.piece_count++] = {"interface",
+                                         std::string_view(own.interface.items, own.written.interface.size())};
         for (const glsl_file* file : own.written.files)
             own.pieces[own.piece_count++] = *file;
         Described whole = describe(planned, each);

@@ -21,7 +21,8 @@ static_assert(plain::passes[0].group_width() == 16);
 static_assert(plain::resources.size() == 4);
 static_assert(plain::features.extended_storage_formats);
 static_assert(plain::defaults.bias == hbao::reads[0].fallback);
-static_assert(plain::source<0>.starts_with("#version 450\n"));
+static_assert(plain::passes[0].pieces[0].text.starts_with("#version 450\n"));
+static_assert(plain::source<0>.size() > 1000);
 
 static_assert(!effect<directions<8, 4>, single_layer, hbao, fragment>::features.extended_storage_formats);
 static_assert(!effect<directions<8, 4>, single_layer, hbao, opengl_glsl>::features.extended_storage_formats);

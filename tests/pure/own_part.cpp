@@ -43,8 +43,8 @@ struct nearness : nearness_part {
 };
 
 using fixed = crease::effect<crease::poisson_disk<>, crease::single_layer, nearness<20>, crease::bilateral<>>;
-static_assert(contains(fixed::source<0>, "layout(constant_id = 3) const int crease_nearness_most = 20;"));
-static_assert(contains(fixed::source<0>, "struct crease_estimate { float occlusion; };"));
+static_assert(contains(fixed::passes[0].pieces[0].text,
+                       "layout(constant_id = 3) const int crease_nearness_most = 20;"));
 
 }
 

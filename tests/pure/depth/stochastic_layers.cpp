@@ -18,9 +18,9 @@ static_assert(!layered::captures[0].to_attachment());
 static_assert(layered::features.fragment_stores_and_atomics && layered::features.depth_samples == 0);
 static_assert(layered::passes.size() == 2 && layered::passes[0].name == "pack_layers");
 static_assert(layered::defaults.opacity == 0.2f);
-static_assert(contains(layered::capture_source<0>,
+static_assert(contains(layered::captures[0].pieces[0].text,
                        "layout(constant_id = 3) const int crease_stochastic_layers_count = 6;"));
-static_assert(contains(layered::capture_source<0>, "set = 1, binding = 2"));
+static_assert(contains(layered::captures[0].pieces[0].text, "set = 1, binding = 2"));
 
 using sampled = effect<directions<4, 4>, stochastic_layers<6>, hbao>;
 static_assert(sampled::captures[0].to_attachment());
