@@ -120,6 +120,7 @@ struct capture_step {
 struct extra {
     const trait* on_need; ///< the trait that the part offers by it
     const glsl_file* glsl;
+    format texels = format::none; ///< of the images that hold what it makes, where others than they say do
 };
 
 /// What a part says of itself. Parts are open: a host describes its own and composes it with those of crease.

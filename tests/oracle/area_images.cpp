@@ -59,7 +59,7 @@ struct table {
         if (x == 0 || y == 0)
             return glm::dvec4(0);
         const std::size_t at = 4 * static_cast<std::size_t>((layer * height + y - 1) * width + x - 1);
-        return {texels[at], texels[at + 1], texels[at + 2] - centre * texels[at + 3], texels[at + 3]};
+        return {texels[at + 2], texels[at + 3], texels[at] - centre * texels[at + 1], texels[at + 1]};
     }
     glm::dvec4 over(int left, int top, int right, int bottom) const {
         return before(right, bottom) - before(left, bottom) - before(right, top) + before(left, top);
@@ -116,11 +116,13 @@ TEST_CASE("tables hold the sums of all texels before, at any size") {
         for (std::size_t i = 0; i < expected.size(); ++i) {
             glm::dvec4 sum = expected[i];
             sum.z += centre * sum.w;
+            const glm::dvec4 ours(r.tables[4 * i + 2], r.tables[4 * i + 3], r.tables[4 * i],
+                                  r.tables[4 * i + 1]);
             for (int c = 0; c < 3; ++c) {
                 greatest = std::max(greatest, std::abs(sum[c]));
-                apart = std::max(apart, std::abs(sum[c] - r.tables[4 * i + static_cast<std::size_t>(c)]));
+                apart = std::max(apart, std::abs(sum[c] - ours[c]));
             }
-            counts_equal = counts_equal && static_cast<double>(r.tables[4 * i + 3]) == sum.w;
+            counts_equal = counts_equal && ours.w == sum.w;
         }
         CHECK(counts_equal);
         CHECK(apart <= greatest * 1e-5 + 1e-6);

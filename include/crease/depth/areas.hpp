@@ -11,9 +11,10 @@ CREASE_TRAIT(area_layers, depth_source,
 
 /// What the means over areas are of, by three functions that the passes of the tables and the main pass call:
 /// `float crease_area_depth(float depth)`, the depth with which a texel counts, 0 where it does not;
-/// `vec3 crease_area_value(vec3 position, float centre)`, what is summed, its z the less the farther and next
-/// to 0 about the depth `centre`; and back, `vec3 crease_area_position(vec3 value, float centre)`. The
-/// estimator's `crease_contribution` has `occlusion` and `texels`.
+/// `vec3 crease_area_value(vec3 position, float centre)`, what is summed, its x the less the farther and next
+/// to 0 about the depth `centre`; and back, `vec3 crease_area_position(vec3 value, float centre)`. Where x is
+/// all of it, two channels of texels hold it. The estimator's `crease_contribution` has `occlusion` and
+/// `texels`.
 CREASE_TRAIT(area_means, estimator,
              "the depth source holds means over areas, of which the estimator makes nothing");
 
@@ -95,12 +96,12 @@ inline constexpr glsl_file scan_glsl{
 
 /// What the depth sources of areas share: summed-area tables, and the steps that make them.
 ///
-/// The tables are one array image of rgba32_float, filled and then summed in place, rows and then columns;
-/// texel (i, j) of a table is the sum over the texels up to and including it: xyz of what the estimator takes
-/// means of, w of their count. Counts are exact up to 2^24 texels. Places of a
-/// table are off by less than 1e-5 of its greatest sum, so small areas of large pictures are the least exact.
-/// As sums of positions are centred on the mean depth, a picture of one depth has sums of depth next to 0,
-/// and its mean is constant to 1e-4 of the depth at 3840 x 2160.
+/// The tables are one array image, filled and then summed in place, rows and then columns; texel (i, j) of a
+/// table is the sum over the texels up to and including it: x of what tells the depth, y of their count, zw
+/// of the rest of what the estimator takes means of, in texels that have them. Counts are exact up to 2^24
+/// texels. Places of a table are off by less than 1e-5 of its greatest sum, so small areas of large pictures
+/// are the least exact. As sums of positions are centred on the mean depth, a picture of one depth has sums
+/// of depth next to 0, and its mean is constant to 1e-4 of the depth at 3840 x 2160.
 namespace areas {
 
 /// The range of depth of the picture: nearest, farthest, mean, count of texels that count.
@@ -123,6 +124,7 @@ constexpr resource tables(counted layers, int divisor) {
             .size = {.guarded = true},
             .arrayed = true,
             .layers_by = layers,
+            .texels_by = &area_means::value,
             .divisor_by = divisor};
 }
 

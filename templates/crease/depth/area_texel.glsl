@@ -18,8 +18,9 @@ vec4 crease_area_texel(ivec2 at) {
         crease_unroll for (int i = 0; i < crease_divisor; ++i) {
             vec2 texel = first + vec2(i, j);
             float depth = crease_area_depth(crease_depth_at(texel));
+            vec3 value = crease_area_value(crease_view_position(texel, depth), crease_range_mean());
             if (crease_inside(texel) && depth > 0.0)
-                sum += vec4(crease_area_value(crease_view_position(texel, depth), crease_range_mean()), 1.0);
+                sum += vec4(value.x, 1.0, value.yz);
         }
     return sum;
 }

@@ -35,10 +35,10 @@ void crease_build(ivec2 texel) {
     const int first = crease_summed_area_adaptive_split, step = crease_summed_area_adaptive_step;
     const ivec3 kept = ivec3(texel, crease_summed_area_adaptive_layers - 1);
     vec4 own = first == 1 ? crease_area_texel(texel) : imageLoad(crease_area_tables, kept);
-    int layer = int(own.w) / step;
-    own.w -= float(step * layer);
+    int layer = int(own.y) / step;
+    own.y -= float(step * layer);
     bool nearer = false;
-    if (own.w > 0.0) {
+    if (own.y > 0.0) {
         vec3 position = crease_area_mean(own);
         vec3 across, up;
         crease_axes(crease_to_eye(position), across, up);
@@ -51,7 +51,7 @@ void crease_build(ivec2 texel) {
     crease_unroll for (int i = first; i < min(2 * first, crease_summed_area_adaptive_layers); ++i)
         imageStore(crease_area_tables, ivec3(texel, i), nearer && i == first + layer ? own : vec4(0.0));
     if (2 * first < crease_summed_area_adaptive_layers)
-        imageStore(crease_area_tables, kept, own + vec4(0.0, 0.0, 0.0, step * (nearer ? layer : layer + first)));
+        imageStore(crease_area_tables, kept, own + vec4(0.0, step * (nearer ? layer : layer + first), 0.0, 0.0));
 }
 #ifdef __cplusplus
 ")glsl"
