@@ -160,6 +160,16 @@ inline constexpr step range_of_picture{.name = "range_of_picture",
                                        .group_width = 256,
                                        .group_height = 1};
 
+/// A depth source of areas; what its description leaves open is the same for all.
+constexpr part source(part own) {
+    own.helpers = query_helpers;
+    own.needs = needs::list;
+    own.offers = traits<area_layers>::list;
+    own.intermediates = intermediates;
+    own.fold = &fold_mean_glsl;
+    return own;
+}
+
 /// The workgroup of a pass that stores to tables: wide and flat, as rows of a table are often as long as what
 /// a cache takes for one place.
 inline constexpr int wide = 64, flat = 4;
