@@ -19,8 +19,8 @@ area_texels downsample(const picture& p, int divisor) {
     return t;
 }
 
-layering one_layer(const area_texels& t) {
-    return layering(t.texels.size(), 0);
+layering one_layer(const picture& p) {
+    return layering(p.device.size(), 0);
 }
 
 namespace {
@@ -40,11 +40,13 @@ layering uniform_layers(const picture& p, const area_texels& t, int layers) {
                 farthest = std::max(farthest, -p.position(x, y).z);
             }
     layering of;
-    for (const area_texel& each : t.texels) {
-        const double share =
-            each.count > 0 ? (depth_of(each) - nearest) / std::max(farthest - nearest, 1e-20) : 0;
-        of.push_back(std::clamp(static_cast<int>(share * layers), 0, layers - 1));
-    }
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x) {
+            const area_texel& own = t.at(x / t.divisor, y / t.divisor);
+            const double share =
+                own.count > 0 ? (depth_of(own) - nearest) / std::max(farthest - nearest, 1e-20) : 0;
+            of.push_back(std::clamp(static_cast<int>(share * layers), 0, layers - 1));
+        }
     return of;
 }
 
@@ -64,7 +66,29 @@ std::array<double, 4> sample_area(const picture& p, glm::dvec2 texel, glm::dvec3
     return {texel.x - reach.x, texel.y - reach.y, texel.x + reach.x, texel.y + reach.y};
 }
 
-std::vector<area_texel> sums_over(const area_texels& t, const layering& of, int layers,
+namespace {
+
+void add_texel(std::vector<area_texel>& sums, const picture& p, const area_texels& t, const layering& of,
+               int x, int y) {
+    for (int py = y * t.divisor; py < std::min((y + 1) * t.divisor, p.height); ++py)
+        for (int px = x * t.divisor; px < std::min((x + 1) * t.divisor, p.width); ++px)
+            if (!p.background(px, py)) {
+                area_texel& sum = sums[static_cast<std::size_t>(of[p.index(px, py)])];
+                sum.position += p.position(px, py);
+                sum.count += 1;
+            }
+}
+
+}
+
+std::vector<area_texel> sums_of(const picture& p, const area_texels& t, const layering& of, int layers, int x,
+                                int y) {
+    std::vector<area_texel> sums(static_cast<std::size_t>(layers));
+    add_texel(sums, p, t, of, x, y);
+    return sums;
+}
+
+std::vector<area_texel> sums_over(const picture& p, const area_texels& t, const layering& of, int layers,
                                   const std::array<double, 4>& area) {
     std::array<int, 4> box{};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -73,31 +97,33 @@ std::vector<area_texel> sums_over(const area_texels& t, const layering& of, int 
     }
     std::vector<area_texel> sums(static_cast<std::size_t>(layers));
     for (int y = box[1]; y < box[3]; ++y)
-        for (int x = box[0]; x < box[2]; ++x) {
-            const area_texel& each = t.at(x, y);
-            area_texel& sum = sums[static_cast<std::size_t>(of[static_cast<std::size_t>(y * t.width + x)])];
-            sum.position += each.position;
-            sum.count += each.count;
-        }
+        for (int x = box[0]; x < box[2]; ++x)
+            add_texel(sums, p, t, of, x, y);
     return sums;
 }
 
 layering adaptive_layers(const picture& p, const area_texels& t, const settings& s, int layers) {
-    layering of = one_layer(t);
+    layering of = one_layer(p);
     for (int first = 1; first < layers; first *= 2) {
         layering next = of;
         for (int y = 0; y < t.height; ++y)
             for (int x = 0; x < t.width; ++x) {
                 const area_texel& own = t.at(x, y);
-                const auto i = static_cast<std::size_t>(y * t.width + x);
-                if (own.count == 0 || of[i] + first >= layers)
+                if (own.count == 0)
                     continue;
                 const glm::dvec2 middle((x + 0.5) * t.divisor, (y + 0.5) * t.divisor);
                 const auto area = sample_area(p, middle, own.position / own.count, s.radius);
-                const area_texel around = sums_over(t, of, layers, area)[static_cast<std::size_t>(of[i])];
-                // A hundredth of the radius is the shader's margin against rounding.
-                if (!(depth_of(own) < depth_of(around) - 0.01 * s.radius))
-                    next[i] = of[i] + first;
+                const std::vector<area_texel> around = sums_over(p, t, of, layers, area);
+                for (int py = y * t.divisor; py < std::min((y + 1) * t.divisor, p.height); ++py)
+                    for (int px = x * t.divisor; px < std::min((x + 1) * t.divisor, p.width); ++px) {
+                        const int layer = of[p.index(px, py)];
+                        const double depth = -p.position(px, py).z;
+                        // A hundredth of the radius is the shader's margin against rounding.
+                        const bool nearer =
+                            depth < depth_of(around[static_cast<std::size_t>(layer)]) - 0.01 * s.radius;
+                        if (layer + first < layers && !nearer)
+                            next[p.index(px, py)] = layer + first;
+                    }
             }
         of = next;
     }
@@ -108,7 +134,7 @@ double mean_height(const picture& p, const receiver& r, const settings& s, const
                    const layering& of, int layers, bool oriented) {
     const auto area = sample_area(p, {r.x + 0.5, r.y + 0.5}, r.position, s.radius);
     double occlusion = 0, texels = 0;
-    for (const area_texel& sum : sums_over(t, of, layers, area)) {
+    for (const area_texel& sum : sums_over(p, t, of, layers, area)) {
         if (sum.count <= 0)
             continue;
         const glm::dvec3 mean = sum.position / sum.count;
