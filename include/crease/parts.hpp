@@ -44,6 +44,8 @@
 #include <crease/sampler/sample_box.hpp>
 #include <crease/sampler/sphere_lines.hpp>
 #include <crease/sampler/sphere_points.hpp>
+#include <crease/scan/subgroup_scan.hpp>
+#include <crease/scan/work_efficient_scan.hpp>
 #include <crease/stage/compute.hpp>
 #include <crease/stage/fragment.hpp>
 #include <crease/stage/functions.hpp>
@@ -82,6 +84,8 @@ inline constexpr const part* all_parts[] = {
     &unsharp_mask::description,
     &all_layers::description,
     &front_first_part::description,
+    &work_efficient_scan::description,
+    &subgroup_scan::description,
     &second_view_part::description,
     &multisampled_part::description,
     &atomic_minimum_part::description,

@@ -101,12 +101,14 @@ oracle::picture huge_picture(bool leaning) {
 }
 
 TEST_CASE("tables hold the sums of all texels before, at any size") {
-    const auto check = [](const oracle::picture& p, int divisor) {
+    const auto check = [](const oracle::picture& p, int divisor, const std::string& scan) {
         CAPTURE(p.width);
         CAPTURE(p.height);
         CAPTURE(divisor);
-        const rendered r =
-            render(p, "sample_box/summed_area:" + std::to_string(divisor) + "/mean_height/linear_depth", 0.5);
+        CAPTURE(scan);
+        const rendered r = render(
+            p, "sample_box/summed_area:" + std::to_string(divisor) + "/mean_height/" + scan + "/linear_depth",
+            0.5);
         const oracle::area_texels t = oracle::downsample(p, divisor);
         REQUIRE(r.tables.size() == 4 * t.texels.size());
         const std::vector<glm::dvec4> expected = summed(t);
@@ -130,8 +132,10 @@ TEST_CASE("tables hold the sums of all texels before, at any size") {
     for (const glm::ivec2 size :
          {glm::ivec2(97, 61), {1, 1}, {1, 9}, {300, 1}, {1, 300}, {641, 359}, {16, 16}})
         for (int divisor : {1, 2, 3, 4})
-            check(oracle::draw(oracle::still_life(), lens::standard, size.x, size.y), divisor);
-    check(huge_picture(true), 1);
+            for (const char* scan : {"work_efficient_scan", "subgroup_scan"})
+                check(oracle::draw(oracle::still_life(), lens::standard, size.x, size.y), divisor, scan);
+    for (const char* scan : {"work_efficient_scan", "subgroup_scan"})
+        check(huge_picture(true), 1, scan);
 }
 
 TEST_CASE("the range of the picture is that of its depths, and none of background alone") {

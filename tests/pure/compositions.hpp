@@ -62,6 +62,11 @@ inline std::vector<std::string> every_recipe() {
     for (const std::string& text :
          times(times(captures, names_of(crease::role::projection)), names_of(crease::role::dialect)))
         all.push_back(text);
+    // Scans touch the passes of tables and nothing else.
+    for (const std::string& text :
+         times(times(legal(times(three, names_of(crease::role::scan))), names_of(crease::role::dialect)),
+               names_of(crease::role::stage)))
+        all.push_back(text);
     // Noise touches the three and the filters, and nothing else.
     for (const std::string& text : times(times(three, filter_chains()), names_of(crease::role::noise)))
         all.push_back(text);

@@ -133,6 +133,8 @@ using needs = traits<area_taps, area_means>;
 
 inline constexpr array_view<const trait* const> means = traits<area_means>::list;
 inline constexpr role view[] = {role::projection, role::depth_encoding};
+inline constexpr role scanning[] = {role::scan};
+inline constexpr role making_rows[] = {role::projection, role::depth_encoding, role::scan};
 inline constexpr std::string_view range_name[] = {"range"}, columns_name[] = {"range_of_columns"},
                                   tables_name[] = {"area_tables"};
 inline constexpr const glsl_file* join_helpers[] = {&range_join_glsl};
@@ -165,6 +167,7 @@ constexpr part source(part own) {
     own.helpers = query_helpers;
     own.needs = needs::list;
     own.offers = traits<area_layers>::list;
+    own.wants = scanning;
     own.intermediates = intermediates;
     own.fold = &fold_mean_glsl;
     return own;
@@ -197,7 +200,7 @@ inline constexpr step_constant scanned[] = {
 inline constexpr step make_rows{.name = "make_rows",
                                 .body = &scan_glsl,
                                 .kind = step_kind::rows,
-                                .includes = view,
+                                .includes = making_rows,
                                 .needs = means,
                                 .helpers = made_helpers,
                                 .constants = scanned<0, 1, 0>,
@@ -208,6 +211,7 @@ constexpr step sum_rows(std::string_view name, int from = 0) {
     return {.name = name,
             .body = &scan_glsl,
             .kind = step_kind::rows,
+            .includes = scanning,
             .helpers = stored_helpers,
             .constants = scanned<First, End, 0>,
             .writes = tables_name,
@@ -219,6 +223,7 @@ constexpr step sum_columns(std::string_view name, int from = 0) {
     return {.name = name,
             .body = &scan_glsl,
             .kind = step_kind::columns,
+            .includes = scanning,
             .helpers = stored_helpers,
             .constants = scanned<First, End, 1>,
             .writes = tables_name,
