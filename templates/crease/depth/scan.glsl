@@ -12,6 +12,15 @@ vec4 crease_scan_reread(ivec3 at);
 
 vec4 crease_scan_before(vec4 own, int along, int pieces, int stride);
 
+// Adds with what rounding has taken from the sum so far, so that a long piece is as exact as a short one.
+void crease_scan_add(inout vec4 sum, inout vec4 lost, vec4 more) {
+    precise vec4 own = more - lost;
+    precise vec4 next = sum + own;
+    precise vec4 rounded = (next - sum) - own;
+    lost = rounded;
+    sum = next;
+}
+
 void crease_build_line(int line) {
     const bool down = crease_scan_axis == 1;
     ivec3 size = imageSize(crease_area_tables);
@@ -24,13 +33,14 @@ void crease_build_line(int line) {
     int first = min(along * share, length);
     int last = line < (down ? size.x : size.y) ? min(first + share, length) : first;
     for (int table = crease_scan_first; table < min(crease_scan_end, size.z); ++table) {
-        vec4 sum = vec4(0.0);
+        vec4 sum = vec4(0.0), lost = vec4(0.0);
         for (int i = first; i < last; ++i)
-            sum += crease_scan_read(ivec3(start + i * step, table));
+            crease_scan_add(sum, lost, crease_scan_read(ivec3(start + i * step, table)));
         sum = crease_scan_before(sum, along, pieces, stride);
+        lost = vec4(0.0);
         for (int i = first; i < last; ++i) {
             ivec3 at = ivec3(start + i * step, table);
-            sum += crease_scan_reread(at);
+            crease_scan_add(sum, lost, crease_scan_reread(at));
             imageStore(crease_area_tables, at, sum);
         }
     }
