@@ -12,6 +12,8 @@
 #include <crease/capture/multisampled.hpp>
 #include <crease/capture/simple_hash.hpp>
 #include <crease/capture/stratified.hpp>
+#include <crease/depth/mip_chain.hpp>
+#include <crease/depth/n_buffer.hpp>
 #include <crease/depth/single_layer.hpp>
 #include <crease/depth/stochastic_layers.hpp>
 #include <crease/depth/summed_area.hpp>
@@ -75,6 +77,8 @@ inline constexpr const part* all_parts[] = {
     &summed_area_part::description,
     &summed_area_uniform_part::description,
     &summed_area_adaptive_part::description,
+    &n_buffer_part::description,
+    &mip_chain_part::description,
     &hbao::description,
     &hbao_plus::description,
     &mean_height_part::description,

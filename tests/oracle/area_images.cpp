@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -226,11 +227,14 @@ TEST_CASE("each texel is in exactly one adaptive layer, and the layers' sums are
 
 namespace {
 
-using layers_of = std::function<oracle::layering(const oracle::picture&, const oracle::area_texels&,
-                                                 const oracle::settings&, int)>;
+using sums_of_area = std::function<std::vector<oracle::area_texel>(const std::array<double, 4>&)>;
 
-oracle::difference differ(const std::string& source, int layers, int divisor, const layers_of& split,
-                          lens projection, bool oriented, const std::string& parts = "") {
+/// How a picture by a source of areas differs from the oracle's.
+/// @param prepare  gives the sums of the layers over an area, of a picture, its tables' texels and the
+/// settings
+template <class Prepare>
+oracle::difference differ(const std::string& source, int divisor, lens projection, bool oriented,
+                          const Prepare& prepare, const std::string& parts = "") {
     const oracle::picture p = oracle::draw(oracle::still_life(), projection, 97, 61);
     const rendered r = render(p,
                               "sample_box/" + source + "/mean_height:" + (oriented ? "1" : "0") + parts +
@@ -238,19 +242,37 @@ oracle::difference differ(const std::string& source, int layers, int divisor, co
                               0.5);
     const oracle::settings s = oracle::settings_of(r.how);
     const oracle::area_texels t = oracle::downsample(p, divisor);
-    const oracle::layering of = split(p, t, s, layers);
+    const sums_of_area sums = prepare(p, t, s);
     const auto expected = oracle::main_pass(p, s, 1, false, [&](const oracle::receiver& each) {
-        return oracle::mean_height(p, each, s, t, of, layers, oriented);
+        const auto area = oracle::sample_area(p, {each.x + 0.5, each.y + 0.5}, each.position, s.radius);
+        return oracle::mean_height(each, s, sums(area), oriented);
     });
     return oracle::compare(r.visibility, expected.visibility);
 }
 
-const layers_of one = [](const auto& p, const auto&, const auto&, int) { return oracle::one_layer(p); };
-const layers_of even = [](const auto& p, const auto& t, const auto&, int layers) {
-    return oracle::uniform_layers(p, t, layers);
+/// The sums of layers, each texel of the picture in one.
+sums_of_area of_layers(const oracle::picture& p, const oracle::area_texels& t, const oracle::layering& of,
+                       int layers) {
+    return [&p, &t, of, layers](const auto& area) { return oracle::sums_over(p, t, of, layers, area); };
+}
+
+const auto one = [](const auto& p, const auto& t, const auto&) {
+    return of_layers(p, t, oracle::one_layer(p), 1);
 };
-const layers_of adaptive = [](const auto& p, const auto& t, const auto& s, int layers) {
-    return oracle::adaptive_layers(p, t, s, layers);
+const auto even = [](const auto& p, const auto& t, const auto&) {
+    return of_layers(p, t, oracle::uniform_layers(p, t, 7), 7);
+};
+template <int Layers>
+const auto adaptive = [](const auto& p, const auto& t, const auto& s) {
+    return of_layers(p, t, oracle::adaptive_layers(p, t, s, Layers), Layers);
+};
+template <int Levels>
+const auto squares = [](const auto&, const auto& t, const auto&) -> sums_of_area {
+    return [&t](const auto& area) { return std::vector{oracle::sum_of_squares(t, area, 1 << (Levels - 1))}; };
+};
+template <int Levels>
+const auto mips = [](const auto&, const auto& t, const auto&) -> sums_of_area {
+    return [&t](const auto& area) { return std::vector{oracle::sum_of_mips(t, area, Levels - 1)}; };
 };
 
 }
@@ -264,24 +286,28 @@ TEST_CASE("mean height over every source of areas") {
                 CAPTURE(oriented);
                 CAPTURE(divisor);
                 const std::string by = std::to_string(divisor);
-                const auto check = [&](const std::string& source, int layers, const layers_of& split) {
+                const auto check = [&](const std::string& source, const auto& prepare) {
                     CAPTURE(source);
-                    const oracle::difference d = differ(source, layers, divisor, split, projection, oriented);
+                    const oracle::difference d = differ(source, divisor, projection, oriented, prepare);
                     CHECK(d.typical < 0.02);
                     CHECK(d.mean < 0.6 * one_step);
                 };
-                check("summed_area:" + by, 1, one);
-                check("summed_area_uniform:7x" + by, 7, even);
-                check("summed_area_adaptive:4x" + by, 4, adaptive);
+                check("summed_area:" + by, one);
+                check("summed_area_uniform:7x" + by, even);
+                check("summed_area_adaptive:4x" + by, adaptive<4>);
+                check("n_buffer:9x" + by, squares<9>);
+                check("n_buffer:3x" + by, squares<3>);
+                check("mip_chain:9x" + by, mips<9>);
+                check("mip_chain:2x" + by, mips<2>);
                 if (divisor == 2) {
-                    check("summed_area_adaptive:2x2", 2, adaptive);
-                    check("summed_area_adaptive:8x2", 8, adaptive);
+                    check("summed_area_adaptive:2x2", adaptive<2>);
+                    check("summed_area_adaptive:8x2", adaptive<8>);
                 }
             }
 }
 
 TEST_CASE("mean height in the fragment stage") {
-    CHECK(differ("summed_area_adaptive:4x2", 4, 2, adaptive, lens::standard, true, "/fragment").mean <
+    CHECK(differ("summed_area_adaptive:4x2", 2, lens::standard, true, adaptive<4>, "/fragment").mean <
           0.6 * one_step);
 }
 

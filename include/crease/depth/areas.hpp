@@ -29,6 +29,11 @@ inline constexpr glsl_file sample_area_glsl{
 #include <crease/core/sample_area.glsl>
 };
 
+inline constexpr glsl_file area_box_glsl{
+    "depth/area_box.glsl",
+#include <crease/depth/area_box.glsl>
+};
+
 inline constexpr glsl_file area_layers_glsl{
     "depth/area_layers.glsl",
 #include <crease/depth/area_layers.glsl>
@@ -141,10 +146,11 @@ inline constexpr const glsl_file* join_helpers[] = {&range_join_glsl};
 inline constexpr const glsl_file* fill_helpers[] = {&range_glsl, &area_texel_glsl};
 inline constexpr const glsl_file* stored_helpers[] = {&scan_stored_glsl};
 inline constexpr const glsl_file* made_helpers[] = {&range_glsl, &area_texel_glsl, &scan_made_glsl};
-inline constexpr const glsl_file* split_helpers[] = {&range_glsl,        &area_mean_glsl,  &area_texel_glsl,
-                                                     &areas_stored_glsl, &area_query_glsl, &sample_area_glsl};
-inline constexpr const glsl_file* query_helpers[] = {&area_layers_glsl, &range_glsl, &area_mean_glsl,
-                                                     &areas_sampled_glsl, &area_query_glsl};
+inline constexpr const glsl_file* split_helpers[] = {&range_glsl,        &area_mean_glsl, &area_texel_glsl,
+                                                     &areas_stored_glsl, &area_box_glsl,  &area_query_glsl,
+                                                     &sample_area_glsl};
+inline constexpr const glsl_file* table_helpers[] = {&area_layers_glsl,   &range_glsl,    &area_mean_glsl,
+                                                     &areas_sampled_glsl, &area_box_glsl, &area_query_glsl};
 
 inline constexpr step range_of_columns{.name = "range_of_columns",
                                        .body = &range_columns_glsl,
@@ -164,13 +170,18 @@ inline constexpr step range_of_picture{.name = "range_of_picture",
 
 /// A depth source of areas; what its description leaves open is the same for all.
 constexpr part source(part own) {
-    own.helpers = query_helpers;
     own.needs = needs::list;
     own.offers = traits<area_layers>::list;
-    own.wants = scanning;
     own.intermediates = intermediates;
     own.fold = &fold_mean_glsl;
     return own;
+}
+
+/// The same, of summed-area tables.
+constexpr part source_of_tables(part own) {
+    own.helpers = table_helpers;
+    own.wants = scanning;
+    return source(own);
 }
 
 /// The workgroup of a pass that stores to tables: wide and flat, as rows of a table are often as long as what

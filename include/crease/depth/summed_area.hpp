@@ -20,7 +20,7 @@ struct summed_area_part {
         areas::make_rows,
         areas::sum_columns<0, 1>("sum_columns"),
     };
-    static constexpr part description = areas::source({
+    static constexpr part description = areas::source_of_tables({
         .kind = role::depth_source,
         .name = "summed_area",
         .summary = "a summed-area table of the depth buffer: the mean of any area from four places",

@@ -62,7 +62,7 @@ struct summed_area_adaptive_part {
         areas::sum_rows<4, 8>("sum_rows_3", 5),
         areas::sum_columns<4, 8>("sum_columns_3", 5),
     };
-    static constexpr part description = areas::source({
+    static constexpr part description = areas::source_of_tables({
         .kind = role::depth_source,
         .name = "summed_area_adaptive",
         .summary = "summed-area tables of layers that are split by the mean around each texel",

@@ -29,7 +29,7 @@ struct summed_area_uniform_part {
         areas::sum_rows<0, takes[0].most>("sum_rows"),
         areas::sum_columns<0, takes[0].most>("sum_columns"),
     };
-    static constexpr part description = areas::source({
+    static constexpr part description = areas::source_of_tables({
         .kind = role::depth_source,
         .name = "summed_area_uniform",
         .summary = "summed-area tables of layers of equal depth",
