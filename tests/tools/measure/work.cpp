@@ -31,9 +31,10 @@ TEST_CASE("a loop counts as often as its body runs, also where it is too long to
                                       {"int i = 0; i < 100000; ++i", 100000u},
                                       {"uint i = 0u; i < 50000u; i += 2u", 25000u},
                                       {"int i = 5; i < 5; ++i", 0u}}) {
-        CAPTURE(head);
-        const tools::shader_work work =
-            work_of("for (" + std::string(head) + ") sum += read(int(i), int(gl_LocalInvocationIndex));\n");
+        const std::string loop =
+            "for (" + std::string(head) + ") sum += read(int(i), int(gl_LocalInvocationIndex));\n";
+        CAPTURE(loop);
+        const tools::shader_work work = work_of(loop);
         CHECK(work.fetches == turns);
         CHECK(work.instructions >= 2 * turns);
         CHECK(work.counted_whole);
