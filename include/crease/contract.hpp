@@ -29,7 +29,7 @@ using choice_list = fixed_list<choice, most_parts>;
     rule(rest_beside_three, "a fourth or later part must not be a sampler, a depth source or an estimator")            \
     rule(role_once, "two parts have the same role, and only filters may be more than one")                             \
     rule(in_range, "a number of a part is out of its range")                                                           \
-    rule(layers_captured, "a part is of use only beside a depth source that captures layers, and this one captures none")       \
+    rule(asked_for, "a part is of use only beside a depth source that asks for one of its role, and this one asks for none")    \
     rule(full_size_input, "a filter takes a picture of full size, and the one before it makes a smaller one")          \
     rule(few_enough, "an effect has 16 parts at the most")
 // clang-format on
@@ -66,7 +66,7 @@ constexpr bool numbers_in_range(const choice& c) {
 
 /// Whether a role is empty unless another part wants it.
 constexpr bool waits_to_be_wanted(role r) {
-    return r == role::layer_carrier || r == role::layer_sampling || r == role::fold;
+    return r == role::layer_carrier || r == role::layer_sampling || r == role::fold || r == role::scan;
 }
 
 constexpr bool wants(const part& p, role wanted) {
@@ -122,7 +122,7 @@ constexpr refusal check(std::span<const choice> choices) {
         if (!rules::numbers_in_range(choices[i]))
             return {rules::in_range, p.name};
         if (rules::waits_to_be_wanted(p.kind) && !rules::wants(*choices[1].what, p.kind))
-            return {rules::layers_captured, p.name, choices[1].what->name};
+            return {rules::asked_for, p.name, choices[1].what->name};
         for (const trait* needed : p.needs)
             for (const choice& other : choices)
                 if (other.what->kind == needed->from && !has(other.what->offers, needed))
@@ -242,10 +242,9 @@ constexpr void assert_each_rule() {
                   assert_estimator_third<has_role<Estimator, role::estimator>, Estimator>() &&
                   (assert_rest_beside_three<may_follow<Rest>, Rest>() && ...) &&
                   assert_few_enough<(3 + sizeof...(Rest) <= most_chosen), Rest...>())
-        static_cast<void>(
-            assert_each<Sampler, DepthSource, Estimator, Rest...>() &&
-            (assert_layers_captured<is_wanted<Rest, DepthSource>, Rest, DepthSource>() && ...) &&
-            assert_every_need<Sampler, DepthSource, Estimator, Rest...>());
+        static_cast<void>(assert_each<Sampler, DepthSource, Estimator, Rest...>() &&
+                          (assert_asked_for<is_wanted<Rest, DepthSource>, Rest, DepthSource>() && ...) &&
+                          assert_every_need<Sampler, DepthSource, Estimator, Rest...>());
 }
 
 /// Whether parts make an effect; where they do not, an assertion says why. The rules are checked on values

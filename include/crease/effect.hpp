@@ -24,6 +24,8 @@ constexpr parameters default_parameters(std::span<const choice> choices) {
 constexpr device_features required_features(const plan& p) {
     device_features required;
     const bool vulkan = p.chosen(role::dialect).what->dialect_of == dialect_kind::vulkan;
+    for (const choice& c : p.choices)
+        required |= c.what->features;
     for (const planned_capture& c : p.captures) {
         required.fragment_stores_and_atomics |= vulkan && c.what->how == access::modify;
         if (c.what->how == access::attachment)

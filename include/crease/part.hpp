@@ -24,6 +24,7 @@ enum class role : unsigned char {
     layer_carrier,  ///< capture: what keeps the layers that the geometry pass draws
     layer_sampling, ///< capture: which samples keep a fragment
     fold,           ///< how the layers of a tap become one contribution
+    scan,           ///< how the sums of a line of a table are made, of those of its pieces
     output,         ///< what leaves the effect beside visibility
     filter,         ///< passes over the result: denoising, upsampling
     stage,          ///< what a pass runs as
@@ -33,8 +34,8 @@ enum class role : unsigned char {
 constexpr std::string_view name_of(role r) {
     constexpr std::string_view names[] = {"sampler",        "depth source",   "estimator", "projection",
                                           "depth encoding", "normals",        "noise",     "second view",
-                                          "layer carrier",  "layer sampling", "fold",      "output",
-                                          "filter",         "stage",          "dialect"};
+                                          "layer carrier",  "layer sampling", "fold",      "scan",
+                                          "output",         "filter",         "stage",     "dialect"};
     return names[static_cast<unsigned>(r)];
 }
 
@@ -120,6 +121,7 @@ struct capture_step {
 struct extra {
     const trait* on_need; ///< the trait that the part offers by it
     const glsl_file* glsl;
+    format texels = format::none; ///< of the images that hold what it makes, where others than they say do
 };
 
 /// What a part says of itself. Parts are open: a host describes its own and composes it with those of crease.
@@ -145,6 +147,8 @@ struct part {
                                      ///< no part of the role; a depth source's comes before an estimator's
     const glsl_file* packs =
         nullptr; ///< a fold's: which layers it asks of the depth source, for that source's steps
+    std::string_view extension{};           ///< of GLSL, that its text needs
+    device_features features{};             ///< that its text requires
     const glsl_file* main_body = nullptr;   ///< a second view's: what takes the place of core/visibility.glsl
     const capture_step* captures = nullptr; ///< a layer carrier's
     const glsl_file* result = nullptr;      ///< an output's: `struct crease_result` and its arithmetic

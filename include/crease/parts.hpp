@@ -12,6 +12,8 @@
 #include <crease/capture/multisampled.hpp>
 #include <crease/capture/simple_hash.hpp>
 #include <crease/capture/stratified.hpp>
+#include <crease/depth/mip_chain.hpp>
+#include <crease/depth/n_buffer.hpp>
 #include <crease/depth/single_layer.hpp>
 #include <crease/depth/stochastic_layers.hpp>
 #include <crease/depth/summed_area.hpp>
@@ -44,6 +46,8 @@
 #include <crease/sampler/sample_box.hpp>
 #include <crease/sampler/sphere_lines.hpp>
 #include <crease/sampler/sphere_points.hpp>
+#include <crease/scan/subgroup_scan.hpp>
+#include <crease/scan/work_efficient_scan.hpp>
 #include <crease/stage/compute.hpp>
 #include <crease/stage/fragment.hpp>
 #include <crease/stage/functions.hpp>
@@ -74,6 +78,8 @@ inline constexpr const part* all_parts[] = {
     &summed_area_part::description,
     &summed_area_uniform_part::description,
     &summed_area_adaptive_part::description,
+    &n_buffer_part::description,
+    &mip_chain_part::description,
     &hbao::description,
     &hbao_plus::description,
     &mean_height_part::description,
@@ -83,6 +89,8 @@ inline constexpr const part* all_parts[] = {
     &unsharp_mask::description,
     &all_layers::description,
     &front_first_part::description,
+    &work_efficient_scan::description,
+    &subgroup_scan::description,
     &second_view_part::description,
     &multisampled_part::description,
     &atomic_minimum_part::description,

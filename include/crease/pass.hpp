@@ -93,6 +93,8 @@ struct device_features {
     bool extended_storage_formats = false;
     /// Vulkan: fragmentStoresAndAtomics. Core in OpenGL 4.3.
     bool fragment_stores_and_atomics = false;
+    /// Arithmetic of subgroups in compute shaders.
+    bool subgroup_arithmetic = false;
     /// Sums of the sample counts of depth images that are drawn to and sampled, e.g. 4 | 8; 0: none.
     unsigned depth_samples = 0;
 
@@ -100,7 +102,16 @@ struct device_features {
     constexpr bool cover(const device_features& wanted) const {
         return (extended_storage_formats || !wanted.extended_storage_formats) &&
                (fragment_stores_and_atomics || !wanted.fragment_stores_and_atomics) &&
+               (subgroup_arithmetic || !wanted.subgroup_arithmetic) &&
                (depth_samples & wanted.depth_samples) == wanted.depth_samples;
+    }
+    /// Adds what another effect, pass or part requires.
+    constexpr device_features& operator|=(const device_features& more) {
+        extended_storage_formats |= more.extended_storage_formats;
+        fragment_stores_and_atomics |= more.fragment_stores_and_atomics;
+        subgroup_arithmetic |= more.subgroup_arithmetic;
+        depth_samples |= more.depth_samples;
+        return *this;
     }
     constexpr bool operator==(const device_features&) const = default;
 };

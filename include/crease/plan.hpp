@@ -113,6 +113,11 @@ constexpr void add_resource(plan& p, const resource& wanted) {
                    (r.life == lifetime::transient && p.find(role::second_view) ? 2 : 1);
     if (r.texels_of_one != format::none && source.numbers[r.layers_by.number] == 1)
         r.texels = r.texels_of_one;
+    if (r.texels_by)
+        for (const choice& c : p.choices)
+            for (const extra& e : c.what->extras)
+                if (e.on_need == r.texels_by && e.texels != format::none)
+                    r.texels = e.texels;
     if (r.samples_by.number >= 0)
         r.samples = samples_for(count_of(r.samples_by, source));
     if (r.divisor_by >= 0)
@@ -122,6 +127,7 @@ constexpr void add_resource(plan& p, const resource& wanted) {
     r.layers_by = r.samples_by = {};
     r.divisor_by = -1;
     r.texels_of_one = format::none;
+    r.texels_by = nullptr;
 }
 
 constexpr void add_resources(plan& p, array_view<const resource> wanted) {

@@ -118,10 +118,13 @@ public:
         }
     }
 
-    constexpr void write_version() {
+    constexpr void write_version(array_view<const role> roles) {
         if (has_main_)
             out.interface << (vulkan_ ? "#version 450\n#extension GL_EXT_control_flow_attributes : enable\n"
                                       : "#version 430\n");
+        for (role r : roles)
+            if (const choice* c = plan_.find(r); has_main_ && c && !c->what->extension.empty())
+                out.interface << "#extension " << c->what->extension << " : require\n";
         // A host that takes functions writes its own #version and #extension.
         out.interface << "#define crease_unroll" << (has_main_ && vulkan_ ? " [[unroll]]\n" : "\n");
     }
@@ -283,7 +286,7 @@ constexpr program write_evaluate(const plan& p, const planned_pass& pass) {
     to.add_constants_of(pass.owner);
 
     std::size_t first = 0;
-    to.write_version();
+    to.write_version(roles);
     if (kind == stage_kind::compute)
         to.write_workgroup(first);
     to.write_constants(first);
@@ -340,7 +343,7 @@ constexpr program write_build(const plan& p, const planned_pass& pass) {
     to.add_constants_of(pass.owner);
 
     std::size_t first = 0;
-    to.write_version();
+    to.write_version(s.includes);
     to.write_workgroup(first);
     to.write_constants(first);
     for (const step_constant& c : s.constants)

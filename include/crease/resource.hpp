@@ -103,6 +103,8 @@ struct counted {
     constexpr bool operator==(const counted&) const = default;
 };
 
+struct trait;
+
 /// An image or a uniform block that passes read or write.
 struct resource {
     std::string_view name; ///< e.g. "depth"; in GLSL `crease_depth`
@@ -119,6 +121,7 @@ struct resource {
     counted layers_by{}, samples_by{};   ///< of a part's description; an effect has the counts
     format texels_of_one = format::none; ///< of a part's description: the texels where the number of
                                          ///< `layers_by` is 1; none: as where it is more
+    const trait* texels_by = nullptr; ///< of a part's description: the trait whose extra may say the texels
     int divisor_by = -1; ///< of a part's description: index of the depth source's number that is the divisor
                          ///< of the size; -1: that is fixed
     void (*fill)(std::span<std::uint32_t> texels,

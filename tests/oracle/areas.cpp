@@ -19,8 +19,8 @@ area_texels downsample(const picture& p, int divisor) {
     return t;
 }
 
-layering one_layer(const area_texels& t) {
-    return layering(t.texels.size(), 0);
+layering one_layer(const picture& p) {
+    return layering(p.device.size(), 0);
 }
 
 namespace {
@@ -40,11 +40,13 @@ layering uniform_layers(const picture& p, const area_texels& t, int layers) {
                 farthest = std::max(farthest, -p.position(x, y).z);
             }
     layering of;
-    for (const area_texel& each : t.texels) {
-        const double share =
-            each.count > 0 ? (depth_of(each) - nearest) / std::max(farthest - nearest, 1e-20) : 0;
-        of.push_back(std::clamp(static_cast<int>(share * layers), 0, layers - 1));
-    }
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x) {
+            const area_texel& own = t.at(x / t.divisor, y / t.divisor);
+            const double share =
+                own.count > 0 ? (depth_of(own) - nearest) / std::max(farthest - nearest, 1e-20) : 0;
+            of.push_back(std::clamp(static_cast<int>(share * layers), 0, layers - 1));
+        }
     return of;
 }
 
@@ -64,51 +66,137 @@ std::array<double, 4> sample_area(const picture& p, glm::dvec2 texel, glm::dvec3
     return {texel.x - reach.x, texel.y - reach.y, texel.x + reach.x, texel.y + reach.y};
 }
 
-std::vector<area_texel> sums_over(const area_texels& t, const layering& of, int layers,
-                                  const std::array<double, 4>& area) {
-    std::array<int, 4> box{};
-    for (std::size_t i = 0; i < 4; ++i) {
-        box[i] = std::clamp(static_cast<int>(std::floor(area[i] / t.divisor + 0.5)), 0,
-                            i % 2 == 0 ? t.width : t.height);
-    }
+namespace {
+
+/// The tables' texels whose centres are in an area of the picture.
+glm::ivec4 box_of(const area_texels& t, const std::array<double, 4>& area) {
+    const auto edge = [&](std::size_t i, int size) {
+        return std::clamp(static_cast<int>(std::floor(area[i] / t.divisor + 0.5)), 0, size);
+    };
+    return {edge(0, t.width), edge(1, t.height), edge(2, t.width), edge(3, t.height)};
+}
+
+void add_texel(std::vector<area_texel>& sums, const picture& p, const area_texels& t, const layering& of,
+               int x, int y) {
+    for (int py = y * t.divisor; py < std::min((y + 1) * t.divisor, p.height); ++py)
+        for (int px = x * t.divisor; px < std::min((x + 1) * t.divisor, p.width); ++px)
+            if (!p.background(px, py)) {
+                area_texel& sum = sums[static_cast<std::size_t>(of[p.index(px, py)])];
+                sum.position += p.position(px, py);
+                sum.count += 1;
+            }
+}
+
+}
+
+std::vector<area_texel> sums_of(const picture& p, const area_texels& t, const layering& of, int layers, int x,
+                                int y) {
     std::vector<area_texel> sums(static_cast<std::size_t>(layers));
-    for (int y = box[1]; y < box[3]; ++y)
-        for (int x = box[0]; x < box[2]; ++x) {
-            const area_texel& each = t.at(x, y);
-            area_texel& sum = sums[static_cast<std::size_t>(of[static_cast<std::size_t>(y * t.width + x)])];
-            sum.position += each.position;
-            sum.count += each.count;
-        }
+    add_texel(sums, p, t, of, x, y);
+    return sums;
+}
+
+std::vector<area_texel> sums_over(const picture& p, const area_texels& t, const layering& of, int layers,
+                                  const std::array<double, 4>& area) {
+    const glm::ivec4 box = box_of(t, area);
+    std::vector<area_texel> sums(static_cast<std::size_t>(layers));
+    for (int y = box.y; y < box.w; ++y)
+        for (int x = box.x; x < box.z; ++x)
+            add_texel(sums, p, t, of, x, y);
     return sums;
 }
 
 layering adaptive_layers(const picture& p, const area_texels& t, const settings& s, int layers) {
-    layering of = one_layer(t);
+    layering of = one_layer(p);
     for (int first = 1; first < layers; first *= 2) {
         layering next = of;
         for (int y = 0; y < t.height; ++y)
             for (int x = 0; x < t.width; ++x) {
                 const area_texel& own = t.at(x, y);
-                const auto i = static_cast<std::size_t>(y * t.width + x);
-                if (own.count == 0 || of[i] + first >= layers)
+                if (own.count == 0)
                     continue;
                 const glm::dvec2 middle((x + 0.5) * t.divisor, (y + 0.5) * t.divisor);
                 const auto area = sample_area(p, middle, own.position / own.count, s.radius);
-                const area_texel around = sums_over(t, of, layers, area)[static_cast<std::size_t>(of[i])];
-                // A hundredth of the radius is the shader's margin against rounding.
-                if (!(depth_of(own) < depth_of(around) - 0.01 * s.radius))
-                    next[i] = of[i] + first;
+                const std::vector<area_texel> around = sums_over(p, t, of, layers, area);
+                for (int py = y * t.divisor; py < std::min((y + 1) * t.divisor, p.height); ++py)
+                    for (int px = x * t.divisor; px < std::min((x + 1) * t.divisor, p.width); ++px) {
+                        const int layer = of[p.index(px, py)];
+                        const double depth = -p.position(px, py).z;
+                        // A hundredth of the radius is the shader's margin against rounding.
+                        const bool nearer =
+                            depth < depth_of(around[static_cast<std::size_t>(layer)]) - 0.01 * s.radius;
+                        if (layer + first < layers && !nearer)
+                            next[p.index(px, py)] = layer + first;
+                    }
             }
         of = next;
     }
     return of;
 }
 
-double mean_height(const picture& p, const receiver& r, const settings& s, const area_texels& t,
-                   const layering& of, int layers, bool oriented) {
-    const auto area = sample_area(p, {r.x + 0.5, r.y + 0.5}, r.position, s.radius);
+namespace {
+
+area_texel operator*(const area_texel& sum, double factor) {
+    return {sum.position * factor, sum.count * factor};
+}
+
+area_texel operator+(const area_texel& a, const area_texel& b) {
+    return {a.position + b.position, a.count + b.count};
+}
+
+/// The sum over a square of the tables' texels, what of it lies beyond them left out.
+area_texel sum_of_square(const area_texels& t, int left, int top, int side) {
+    area_texel sum;
+    for (int y = std::max(top, 0); y < std::min(top + side, t.height); ++y)
+        for (int x = std::max(left, 0); x < std::min(left + side, t.width); ++x)
+            sum = sum + t.at(x, y);
+    return sum;
+}
+
+}
+
+area_texel sum_of_squares(const area_texels& t, const std::array<double, 4>& area, int most) {
+    const glm::ivec4 box = box_of(t, area);
+    const int width = box.z - box.x, height = box.w - box.y;
+    if (width < 1 || height < 1)
+        return {};
+    int side = 1;
+    while (2 * side <= std::min({width, height, most}))
+        side *= 2;
+    area_texel sum;
+    for (int x : {box.x, box.z - side})
+        for (int y : {box.y, box.w - side})
+            sum = sum + sum_of_square(t, x, y, side);
+    return sum * (double{1} * width * height / (4.0 * side * side));
+}
+
+area_texel sum_of_mips(const area_texels& t, const std::array<double, 4>& area, int last) {
+    std::array<double, 4> box{};
+    for (std::size_t i = 0; i < 4; ++i)
+        box[i] = std::clamp(area[i] / t.divisor, 0.0, static_cast<double>(i % 2 == 0 ? t.width : t.height));
+    const double width = box[2] - box[0], height = box[3] - box[1];
+    const auto between = [&](int level) {
+        const double side = std::exp2(level);
+        const double x = (box[0] + box[2]) / 2 / side - 0.5, y = (box[1] + box[3]) / 2 / side - 0.5;
+        const double left = std::floor(x), top = std::floor(y);
+        area_texel sum;
+        for (int j : {0, 1})
+            for (int i : {0, 1})
+                sum = sum + sum_of_square(t, static_cast<int>((left + i) * side),
+                                          static_cast<int>((top + j) * side), static_cast<int>(side)) *
+                                ((i == 0 ? 1 - x + left : x - left) * (j == 0 ? 1 - y + top : y - top));
+        return sum * (1 / (side * side));
+    };
+    const double level =
+        std::clamp(std::log2(std::max({width, height, 1.0})) - 1, 0.0, static_cast<double>(last));
+    const int lower = static_cast<int>(level);
+    const double share = level - lower;
+    return (between(lower) * (1 - share) + between(std::min(lower + 1, last)) * share) * (width * height);
+}
+
+double mean_height(const receiver& r, const settings& s, const std::vector<area_texel>& sums, bool oriented) {
     double occlusion = 0, texels = 0;
-    for (const area_texel& sum : sums_over(t, of, layers, area)) {
+    for (const area_texel& sum : sums) {
         if (sum.count <= 0)
             continue;
         const glm::dvec3 mean = sum.position / sum.count;

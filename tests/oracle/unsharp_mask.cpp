@@ -101,8 +101,12 @@ TEST_CASE("reversed and linear depth give the same shade, and without a far plan
     check_listing(scene(lens::standard), shades(scene(lens::reversed), text, 0.02f), 15, 0.02);
     check_listing(scene(lens::standard), shades(scene(lens::standard), text + "/linear_depth", 0.02f), 15,
                   0.02);
-    for (float shade : shades(scene(lens::infinite), text, 0.02f))
-        CHECK(std::abs(shade) < 1e-6f);
+    for (const char* parts :
+         {"box_window:15/single_layer", "box_area:15/summed_area", "box_area:15/summed_area:2",
+          "box_area:15/summed_area_uniform:8", "box_area:15/summed_area_adaptive:4", "box_area:15/n_buffer:4",
+          "box_area:15/mip_chain:4"})
+        for (float shade : shades(scene(lens::infinite), std::string(parts) + "/unsharp_mask/shade", 0.02f))
+            CHECK(std::abs(shade) < 1e-6f);
 }
 
 TEST_CASE("the shade goes through the filters") {
@@ -174,8 +178,9 @@ TEST_CASE("more layers come nearer to the threshold of the listing") {
 
 TEST_CASE("a window by smaller tables or adaptive layers has no shade on a facing plane") {
     const oracle::picture p = oracle::draw({{kind::plane, {0, 0, -3}, {0, 0, 1}}}, lens::standard, 50, 30);
-    for (const char* source : {"summed_area:2", "summed_area:3", "summed_area_uniform:16x2",
-                               "summed_area_adaptive:4", "summed_area_adaptive:4x4"})
+    for (const char* source :
+         {"summed_area:2", "summed_area:3", "summed_area_uniform:16x2", "summed_area_adaptive:4",
+          "summed_area_adaptive:4x4", "n_buffer:6", "n_buffer:5x2", "mip_chain:6"})
         for (float shade : shades(p, "box_area:40/" + std::string(source) + "/unsharp_mask/shade", 0.02f))
             CHECK(std::abs(shade) < 20 * rounding);
 }

@@ -48,6 +48,16 @@ camera in_front() {
     return c;
 }
 
+/// A box on a floor, just beside what the camera sees.
+mesh floor_and_box_beside(const camera& from) {
+    mesh scene;
+    add_box(scene, {-20, -1.2f, -20}, {20, -1, 20});
+    const float edge = 6 * std::tan(glm::radians(from.vfov_deg) / 2) * static_cast<float>(from.width) /
+                       static_cast<float>(from.height); // where the picture ends at depth 6
+    add_box(scene, {edge + 0.02f, -1, -8}, {edge + 0.5f, 2, -4});
+    return scene;
+}
+
 frame render(const mesh& scene, const camera& from, const std::string& text, unsigned guard, float opacity,
              const std::optional<camera>& second = {}) {
     const gbuffer inputs = rasterise(oracle::device(), scene, from, guard);
@@ -110,11 +120,8 @@ TEST_CASE("the second camera is placed to the right and in front, turned to the 
 }
 
 TEST_CASE("a guard band lets what stands beside the picture darken it") {
-    mesh scene;
-    add_box(scene, {-20, -1.2f, -20}, {20, -1, 20}); // a floor
     const camera from = in_front();
-    const float edge = 6 * std::tan(0.4363f) * 200 / 120; // where the picture ends at depth 6
-    add_box(scene, {edge + 0.02f, -1, -8}, {edge + 0.5f, 2, -4});
+    const mesh scene = floor_and_box_beside(from);
     for (const char* text :
          {"directions:8x6/single_layer/hbao", "directions:8x6/single_layer/hbao/linearised_depth",
           "directions:8x6/stochastic_layers:4/hbao/atomic_minimum"}) {
@@ -130,5 +137,33 @@ TEST_CASE("a guard band lets what stands beside the picture darken it") {
         CHECK(guarded_edge < bare_edge - 0.05);
         for (unsigned x = 60; x < 100; ++x) // and what is far from the edge is the same
             CHECK(bare.visibility.at(x, row) == doctest::Approx(guarded.visibility.at(x, row)).epsilon(0.02));
+    }
+}
+
+TEST_CASE("areas with a guard band are those of the greater picture") {
+    const camera from = in_front();
+    const mesh scene = floor_and_box_beside(from);
+    constexpr unsigned guard = 24;
+    camera greater = from;
+    greater.width += 2 * guard;
+    greater.height += 2 * guard;
+    greater.vfov_deg =
+        glm::degrees(2 * std::atan(std::tan(glm::radians(from.vfov_deg) / 2) *
+                                   static_cast<float>(greater.height) / static_cast<float>(from.height)));
+    for (const char* source : {"summed_area", "summed_area:2", "summed_area_adaptive:4",
+                               "summed_area_adaptive:4x2", "n_buffer", "n_buffer:8x2", "mip_chain"}) {
+        CAPTURE(std::string(source));
+        const std::string text = "sample_box/" + std::string(source) + "/mean_height";
+        const frame guarded = render(scene, from, text, guard, 1), bare = render(scene, from, text, 0, 1),
+                    whole = render(scene, greater, text, 0, 1);
+        std::size_t other = 0, bare_other = 0;
+        for (unsigned y = 0; y < from.height; ++y)
+            for (unsigned x = 0; x < from.width; ++x) {
+                const float expected = whole.visibility.at(x + guard, y + guard);
+                other += std::abs(guarded.visibility.at(x, y) - expected) > 2.5f / 255;
+                bare_other += std::abs(bare.visibility.at(x, y) - expected) > 2.5f / 255;
+            }
+        CHECK(other < std::size_t{from.width} * from.height / 200);
+        CHECK(bare_other > 20 + other);
     }
 }

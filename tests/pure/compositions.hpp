@@ -68,8 +68,9 @@ inline std::vector<std::string> every_recipe() {
     more = times(legal(times(more, names_of(output))), filter_chains());
     const std::vector<std::string> captures = times(
         legal(times(times(three, names_of(layer_carrier)), names_of(layer_sampling))), names_of(projection));
+    const std::vector<std::string> scans = times(legal(times(three, names_of(scan))), names_of(stage));
     for (const auto& each : {one_by_one(more, {projection, depth_encoding, normals, noise, stage, dialect}),
-                             times(captures, names_of(dialect))})
+                             times(captures, names_of(dialect)), times(scans, names_of(dialect))})
         all.insert(all.end(), each.begin(), each.end());
     return legal(std::move(all));
 }

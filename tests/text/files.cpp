@@ -23,8 +23,8 @@ std::string read(const fs::path& path) {
 }
 
 // What the interface of a program declares for its files.
-constexpr std::string_view prelude = R"(#version 450
-#define crease_unroll
+constexpr std::string_view version = "#version 450\n";
+constexpr std::string_view prelude = R"(#define crease_unroll
 const int crease_divisor = 1;
 const int crease_input_divisor = 2;
 int crease_view_index = 0;
@@ -79,6 +79,14 @@ std::string resources_for(const std::string& file) {
             add(p->captures->writes, crease::access::modify);
     }
     return text;
+}
+
+/// The extension of the part that a file belongs to.
+std::string extension_for(const std::string& file) {
+    for (const crease::part* p : crease::all_parts)
+        if (p->glsl && p->glsl->name == file && !p->extension.empty())
+            return "#extension " + std::string(p->extension) + " : require\n";
+    return "";
 }
 
 /// The constants of all parts, which a file alone may name.
@@ -157,7 +165,7 @@ TEST_CASE("each GLSL file alone") {
         const crease::spirv::shader_stage stage = name.starts_with("capture/")
                                                       ? crease::spirv::shader_stage::fragment
                                                       : crease::spirv::shader_stage::compute;
-        const std::string before = std::string(prelude) +
+        const std::string before = std::string(version) + extension_for(name) + std::string(prelude) +
                                    (stage == crease::spirv::shader_stage::compute ? workgroup : "") +
                                    constants() + resources_for(name);
         const std::string text = structs_for(own);

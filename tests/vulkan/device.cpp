@@ -53,6 +53,9 @@ TEST_CASE("a feature that is not there is named") {
     CHECK(vulkan::detail::missing_features({}, {.extended_storage_formats = true}) ==
           "shaderStorageImageExtendedFormats");
     CHECK(vulkan::detail::missing_features({.extended_storage_formats = true}, {}).empty());
+    CHECK(vulkan::detail::missing_features({}, {.subgroup_arithmetic = true}) ==
+          "arithmetic of subgroups in compute shaders");
+    CHECK(validated_device().features().subgroup_arithmetic);
     CHECK_NOTHROW(validated_device().require({}));
     CHECK_NOTHROW(validated_device().require(validated_device().features()));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/fetch_loop.hpp"
 
+#include "frame/bare_pass.hpp"
 #include "frame/median_run.hpp"
 
 namespace crease::tools {
@@ -36,15 +37,7 @@ double time_fetch_loop(vulkan::device& device, const gbuffer& inputs, unsigned r
                                   {.name = "sum", .texels = format::r32_float, .life = lifetime::output}};
     const binding bindings[] = {{.name = "depth", .resource = 1, .how = access::sample, .slot = 1},
                                 {.name = "output", .resource = 2, .how = access::store, .slot = 2}};
-    const constant constants[] = {{"compute", "width", 0, 16}, {"compute", "height", 1, 16}};
-    const pass passes[] = {{.name = "fetch loop",
-                            .stage = stage_kind::compute,
-                            .dialect = dialect_kind::vulkan,
-                            .pieces = pieces,
-                            .vertex_pieces = {},
-                            .bindings = bindings,
-                            .constants = constants,
-                            .size = {}}};
+    const pass passes[] = {bare_pass(pieces, bindings)};
     vulkan::runner runner(device, {{}, passes, resources, {}, {}}, inputs.depth.width, inputs.depth.height,
                           {.guard = inputs.guard, .constants = {}, .shaders = {}});
     runner.upload("depth", inputs.device);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/table_copy.hpp"
 
+#include "frame/bare_pass.hpp"
 #include "frame/median_run.hpp"
 
 namespace crease::tools {
@@ -29,15 +30,7 @@ double time_table_copy(vulkan::device& device, unsigned width, unsigned height, 
         {.name = "to", .texels = format::rgba32_float, .life = lifetime::output}};
     const binding bindings[] = {{.name = "from", .resource = 1, .how = access::modify, .slot = 1},
                                 {.name = "output", .resource = 2, .how = access::store, .slot = 2}};
-    const constant constants[] = {{"compute", "width", 0, 16}, {"compute", "height", 1, 16}};
-    const pass passes[] = {{.name = "table copy",
-                            .stage = stage_kind::compute,
-                            .dialect = dialect_kind::vulkan,
-                            .pieces = pieces,
-                            .vertex_pieces = {},
-                            .bindings = bindings,
-                            .constants = constants,
-                            .size = {}}};
+    const pass passes[] = {bare_pass(pieces, bindings)};
     vulkan::runner runner(device, {{}, passes, resources, {}, {}}, width, height);
     return median_run(runner, repeats);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/table_doubling.hpp"
 
+#include "frame/bare_pass.hpp"
 #include "frame/median_run.hpp"
 
 #include <array>
@@ -51,14 +52,8 @@ double time_table_doubling(vulkan::device& device, unsigned width, unsigned heig
                               {"", "down", 3, i < rows ? 0 : 1 << (i - rows)}}});
     std::vector<pass> passes;
     for (const std::array<constant, 4>& own : constants)
-        passes.push_back({.name = "table doubling",
-                          .stage = stage_kind::compute,
-                          .dialect = dialect_kind::vulkan,
-                          .pieces = pieces,
-                          .vertex_pieces = {},
-                          .bindings = passes.size() % 2 == 0 ? array_view<const binding>(there) : back,
-                          .constants = {own.data(), own.size()},
-                          .size = {}});
+        passes.push_back(
+            bare_pass(pieces, passes.size() % 2 == 0 ? array_view<const binding>(there) : back, own));
     vulkan::runner runner(device, {{}, {passes.data(), passes.size()}, resources, {}, {}}, width, height);
     return median_run(runner, repeats);
 }

@@ -10,7 +10,7 @@ struct shader_work {
     unsigned instructions =
         0; ///< SPIR-V instructions of its function after optimisation, labels and branches left out
     unsigned fetches = 0;      ///< of these, reads of images
-    bool counted_whole = true; ///< false where a loop could not be unrolled, and counts once
+    bool counted_whole = true; ///< false where the turns of a loop are no constant, and it counts once
 };
 
 /// Counts the work of a module with its specialization constants at their defaults.

@@ -11,9 +11,10 @@ CREASE_TRAIT(area_layers, depth_source,
 
 /// What the means over areas are of, by three functions that the passes of the tables and the main pass call:
 /// `float crease_area_depth(float depth)`, the depth with which a texel counts, 0 where it does not;
-/// `vec3 crease_area_value(vec3 position, float centre)`, what is summed, its z the less the farther and next
-/// to 0 about the depth `centre`; and back, `vec3 crease_area_position(vec3 value, float centre)`. The
-/// estimator's `crease_contribution` has `occlusion` and `texels`.
+/// `vec3 crease_area_value(vec3 position, float centre)`, what is summed, its x the less the farther and next
+/// to 0 about the depth `centre`; and back, `vec3 crease_area_position(vec3 value, float centre)`. Where x is
+/// all of it, two channels of texels hold it. The estimator's `crease_contribution` has `occlusion` and
+/// `texels`.
 CREASE_TRAIT(area_means, estimator,
              "the depth source holds means over areas, of which the estimator makes nothing");
 
@@ -26,6 +27,11 @@ inline constexpr glsl_file fold_mean_glsl{
 inline constexpr glsl_file sample_area_glsl{
     "core/sample_area.glsl",
 #include <crease/core/sample_area.glsl>
+};
+
+inline constexpr glsl_file area_box_glsl{
+    "depth/area_box.glsl",
+#include <crease/depth/area_box.glsl>
 };
 
 inline constexpr glsl_file area_layers_glsl{
@@ -95,12 +101,12 @@ inline constexpr glsl_file scan_glsl{
 
 /// What the depth sources of areas share: summed-area tables, and the steps that make them.
 ///
-/// The tables are one array image of rgba32_float, filled and then summed in place, rows and then columns;
-/// texel (i, j) of a table is the sum over the texels up to and including it: xyz of what the estimator takes
-/// means of, w of their count. Counts are exact up to 2^24 texels. Places of a
-/// table are off by less than 1e-5 of its greatest sum, so small areas of large pictures are the least exact.
-/// As sums of positions are centred on the mean depth, a picture of one depth has sums of depth next to 0,
-/// and its mean is constant to 1e-4 of the depth at 3840 x 2160.
+/// The tables are one array image, filled and then summed in place, rows and then columns; texel (i, j) of a
+/// table is the sum over the texels up to and including it: x of what tells the depth, y of their count, zw
+/// of the rest of what the estimator takes means of, in texels that have them. Counts are exact up to 2^24
+/// texels. Places of a table are off by less than 1e-6 of its greatest sum, so small areas of large pictures
+/// are the least exact. As sums of positions are centred on the mean depth, a picture of one depth has sums
+/// of depth next to 0, and its mean is constant to 1e-4 of the depth at 3840 x 2160.
 namespace areas {
 
 /// The range of depth of the picture: nearest, farthest, mean, count of texels that count.
@@ -123,6 +129,7 @@ constexpr resource tables(counted layers, int divisor) {
             .size = {.guarded = true},
             .arrayed = true,
             .layers_by = layers,
+            .texels_by = &area_means::value,
             .divisor_by = divisor};
 }
 
@@ -131,16 +138,19 @@ using needs = traits<area_taps, area_means>;
 
 inline constexpr array_view<const trait* const> means = traits<area_means>::list;
 inline constexpr role view[] = {role::projection, role::depth_encoding};
+inline constexpr role scanning[] = {role::scan};
+inline constexpr role making_rows[] = {role::projection, role::depth_encoding, role::scan};
 inline constexpr std::string_view range_name[] = {"range"}, columns_name[] = {"range_of_columns"},
                                   tables_name[] = {"area_tables"};
 inline constexpr const glsl_file* join_helpers[] = {&range_join_glsl};
 inline constexpr const glsl_file* fill_helpers[] = {&range_glsl, &area_texel_glsl};
 inline constexpr const glsl_file* stored_helpers[] = {&scan_stored_glsl};
 inline constexpr const glsl_file* made_helpers[] = {&range_glsl, &area_texel_glsl, &scan_made_glsl};
-inline constexpr const glsl_file* split_helpers[] = {&range_glsl,        &area_mean_glsl,  &area_texel_glsl,
-                                                     &areas_stored_glsl, &area_query_glsl, &sample_area_glsl};
-inline constexpr const glsl_file* query_helpers[] = {&area_layers_glsl, &range_glsl, &area_mean_glsl,
-                                                     &areas_sampled_glsl, &area_query_glsl};
+inline constexpr const glsl_file* split_helpers[] = {&range_glsl,        &area_mean_glsl, &area_texel_glsl,
+                                                     &areas_stored_glsl, &area_box_glsl,  &area_query_glsl,
+                                                     &sample_area_glsl};
+inline constexpr const glsl_file* table_helpers[] = {&area_layers_glsl,   &range_glsl,    &area_mean_glsl,
+                                                     &areas_sampled_glsl, &area_box_glsl, &area_query_glsl};
 
 inline constexpr step range_of_columns{.name = "range_of_columns",
                                        .body = &range_columns_glsl,
@@ -157,6 +167,22 @@ inline constexpr step range_of_picture{.name = "range_of_picture",
                                        .writes = range_name,
                                        .group_width = 256,
                                        .group_height = 1};
+
+/// A depth source of areas; what its description leaves open is the same for all.
+constexpr part source(part own) {
+    own.needs = needs::list;
+    own.offers = traits<area_layers>::list;
+    own.intermediates = intermediates;
+    own.fold = &fold_mean_glsl;
+    return own;
+}
+
+/// The same, of summed-area tables.
+constexpr part source_of_tables(part own) {
+    own.helpers = table_helpers;
+    own.wants = scanning;
+    return source(own);
+}
 
 /// The workgroup of a pass that stores to tables: wide and flat, as rows of a table are often as long as what
 /// a cache takes for one place.
@@ -176,6 +202,10 @@ constexpr step fill(std::string_view name, const glsl_file* body) {
             .group_height = flat};
 }
 
+/// The workgroups of scans, as many pieces along a line: few, as each takes its part in every step of the
+/// scan of their sums. Those of rows are fewer invocations, so that few rows are spread evenly over a device.
+inline constexpr int pieces_of_row = 8, rows_together = 16, pieces_of_column = flat, columns_together = wide;
+
 /// The constants of a scan of the tables from `First` up to `End`, along the rows or the columns.
 template <int First, int End, int Axis>
 inline constexpr step_constant scanned[] = {
@@ -185,21 +215,26 @@ inline constexpr step_constant scanned[] = {
 inline constexpr step make_rows{.name = "make_rows",
                                 .body = &scan_glsl,
                                 .kind = step_kind::rows,
-                                .includes = view,
+                                .includes = making_rows,
                                 .needs = means,
                                 .helpers = made_helpers,
                                 .constants = scanned<0, 1, 0>,
                                 .reads = range_name,
-                                .writes = tables_name};
+                                .writes = tables_name,
+                                .group_width = pieces_of_row,
+                                .group_height = rows_together};
 template <int First, int End>
 constexpr step sum_rows(std::string_view name, int from = 0) {
     return {.name = name,
             .body = &scan_glsl,
             .kind = step_kind::rows,
+            .includes = scanning,
             .helpers = stored_helpers,
             .constants = scanned<First, End, 0>,
             .writes = tables_name,
             .how = access::modify,
+            .group_width = pieces_of_row,
+            .group_height = rows_together,
             .from = from};
 }
 template <int First, int End>
@@ -207,10 +242,13 @@ constexpr step sum_columns(std::string_view name, int from = 0) {
     return {.name = name,
             .body = &scan_glsl,
             .kind = step_kind::columns,
+            .includes = scanning,
             .helpers = stored_helpers,
             .constants = scanned<First, End, 1>,
             .writes = tables_name,
             .how = access::modify,
+            .group_width = columns_together,
+            .group_height = pieces_of_column,
             .from = from};
 }
 

@@ -20,21 +20,16 @@ struct summed_area_part {
         areas::make_rows,
         areas::sum_columns<0, 1>("sum_columns"),
     };
-    static constexpr part description{
+    static constexpr part description = areas::source_of_tables({
         .kind = role::depth_source,
         .name = "summed_area",
         .summary = "a summed-area table of the depth buffer: the mean of any area from four places",
         .source = "statistical-volumetric-obscurance 2015, 3.4, 4.2 and 4.6.1",
         .glsl = &summed_area_glsl,
-        .helpers = areas::query_helpers,
         .numbers = takes,
-        .needs = needs::list,
-        .offers = traits<area_layers>::list,
         .resources = reads,
-        .intermediates = areas::intermediates,
         .steps = passes,
-        .fold = &fold_mean_glsl,
-    };
+    });
 };
 
 /// Depth source: one summed-area table, of 1 / `Divisor` of the picture's size each way.

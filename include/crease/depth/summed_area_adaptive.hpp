@@ -62,21 +62,16 @@ struct summed_area_adaptive_part {
         areas::sum_rows<4, 8>("sum_rows_3", 5),
         areas::sum_columns<4, 8>("sum_columns_3", 5),
     };
-    static constexpr part description{
+    static constexpr part description = areas::source_of_tables({
         .kind = role::depth_source,
         .name = "summed_area_adaptive",
         .summary = "summed-area tables of layers that are split by the mean around each texel",
         .source = "statistical-volumetric-obscurance 2015, 4.4 and 4.6, Algorithm 2",
         .glsl = &summed_area_adaptive_glsl,
-        .helpers = areas::query_helpers,
         .numbers = takes,
-        .needs = needs::list,
-        .offers = traits<area_layers>::list,
         .resources = reads,
-        .intermediates = areas::intermediates,
         .steps = passes,
-        .fold = &fold_mean_glsl,
-    };
+    });
 };
 
 /// Depth source: `Layers` layers out of as many summed-area tables, of 1 / `Divisor` of the picture's size

@@ -29,21 +29,16 @@ struct summed_area_uniform_part {
         areas::sum_rows<0, takes[0].most>("sum_rows"),
         areas::sum_columns<0, takes[0].most>("sum_columns"),
     };
-    static constexpr part description{
+    static constexpr part description = areas::source_of_tables({
         .kind = role::depth_source,
         .name = "summed_area_uniform",
         .summary = "summed-area tables of layers of equal depth",
         .source = "statistical-volumetric-obscurance 2015, 4.3 and 4.6.1",
         .glsl = &summed_area_uniform_glsl,
-        .helpers = areas::query_helpers,
         .numbers = takes,
-        .needs = needs::list,
-        .offers = traits<area_layers>::list,
         .resources = reads,
-        .intermediates = areas::intermediates,
         .steps = passes,
-        .fold = &fold_mean_glsl,
-    };
+    });
 };
 
 /// Depth source: `Layers` summed-area tables, of 1 / `Divisor` of the picture's size each way. They take 16

@@ -28,7 +28,7 @@ struct unsharp_mask {
     using needs = traits<window_taps>;
     static constexpr const glsl_file* helpers[] = {&unsharp_mask_depth_glsl};
     static constexpr extra more[] = {{&area_means::value, &unsharp_mask_depth_glsl},
-                                     {&area_means::value, &unsharp_mask_areas_glsl}};
+                                     {&area_means::value, &unsharp_mask_areas_glsl, format::rg32_float}};
     static constexpr setting reads[] = {
         {"threshold", &parameters::threshold, 0.02f, 1e-6f, 1,
          "difference of linearised depth from which a neighbour is left out; the far plane has 1"},

@@ -88,7 +88,8 @@ private:
     void make_queue() {
         VkPhysicalDeviceFeatures supported, enabled{};
         vkGetPhysicalDeviceFeatures(selected_.physical, &supported);
-        features_ = detail::features_of(supported, selected_.properties.limits);
+        features_ = detail::features_of(supported, selected_.properties.limits,
+                                        detail::subgroups_of(selected_.physical));
         for (const detail::known_feature& known : detail::known_features)
             enabled.*known.flag = supported.*known.flag;
 

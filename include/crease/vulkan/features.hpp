@@ -25,8 +25,11 @@ inline constexpr known_feature known_features[] = {
 };
 
 constexpr device_features features_of(const VkPhysicalDeviceFeatures& supported,
-                                      const VkPhysicalDeviceLimits& limits) {
+                                      const VkPhysicalDeviceLimits& limits,
+                                      const VkPhysicalDeviceSubgroupProperties& subgroups) {
     device_features features;
+    features.subgroup_arithmetic = (subgroups.supportedOperations & VK_SUBGROUP_FEATURE_ARITHMETIC_BIT) &&
+                                   (subgroups.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT);
     features.depth_samples = limits.framebufferDepthSampleCounts & limits.sampledImageDepthSampleCounts;
     for (const known_feature& known : known_features)
         features.*known.field = supported.*known.flag;
@@ -39,6 +42,8 @@ inline std::string missing_features(const device_features& there, const device_f
     for (const known_feature& known : known_features)
         if (wanted.*known.field && !(there.*known.field))
             missing.append(missing.empty() ? "" : ", ").append(known.name);
+    if (wanted.subgroup_arithmetic && !there.subgroup_arithmetic)
+        missing.append(missing.empty() ? "" : ", ").append("arithmetic of subgroups in compute shaders");
     for (unsigned samples = 1; samples <= wanted.depth_samples; samples *= 2)
         if (wanted.depth_samples & ~there.depth_samples & samples)
             missing.append(missing.empty() ? "" : ", ")

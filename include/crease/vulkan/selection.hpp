@@ -23,6 +23,16 @@ inline VkPhysicalDeviceProperties properties_of(VkPhysicalDevice physical) {
     return properties;
 }
 
+/// @param physical  of Vulkan 1.1
+inline VkPhysicalDeviceSubgroupProperties subgroups_of(VkPhysicalDevice physical) {
+    auto subgroups =
+        blank<VkPhysicalDeviceSubgroupProperties>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES);
+    auto all = blank<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2);
+    all.pNext = &subgroups;
+    vkGetPhysicalDeviceProperties2(physical, &all);
+    return subgroups;
+}
+
 /// @return nothing where the device is older than Vulkan 1.1 or has no such queue
 inline std::optional<selected_device> usable(VkPhysicalDevice physical) {
     selected_device device{physical, properties_of(physical)};

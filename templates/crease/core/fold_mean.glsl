@@ -15,9 +15,9 @@ const int crease_fold_written_out = 8; // layers up to which no loop is left, as
 void crease_fold_layer(inout crease_contribution all, crease_estimate estimate, crease_receiver receiver,
                        crease_tap tap, vec4 sum) {
     crease_contribution own = crease_weigh(estimate, receiver, tap, crease_area_mean(sum));
-    bool empty = sum.w < 0.01; // what differences of tables leave
-    all.occlusion += empty ? 0.0 : sum.w * own.occlusion;
-    all.texels += empty ? 0.0 : sum.w * own.texels;
+    bool empty = sum.y < 0.01; // what differences of tables leave
+    all.occlusion += empty ? 0.0 : sum.y * own.occlusion;
+    all.texels += empty ? 0.0 : sum.y * own.texels;
 }
 
 crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,

@@ -7,7 +7,7 @@ R"glsl("
 float crease_range_mean();
 vec3 crease_area_position(vec3 value, float centre);
 
-vec3 crease_area_mean(vec4 sum) { return crease_area_position(sum.xyz / sum.w, crease_range_mean()); }
+vec3 crease_area_mean(vec4 sum) { return crease_area_position(sum.xzw / sum.y, crease_range_mean()); }
 #ifdef __cplusplus
 ")glsl"
 #endif

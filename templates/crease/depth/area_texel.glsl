@@ -11,16 +11,19 @@ float crease_range_mean();
 float crease_area_depth(float depth);
 vec3 crease_area_value(vec3 position, float centre);
 
+// Of a texel of the picture alone, which is (i, j) of those that the table's texel stands for.
+vec4 crease_area_part(ivec2 at, int i, int j) {
+    vec2 texel = (vec2(at) - crease_view.guard) * float(crease_divisor) + vec2(i, j) + 0.5;
+    float depth = crease_area_depth(crease_depth_at(texel));
+    vec3 value = crease_area_value(crease_view_position(texel, depth), crease_range_mean());
+    return crease_inside(texel) && depth > 0.0 ? vec4(value.x, 1.0, value.yz) : vec4(0.0);
+}
+
 vec4 crease_area_texel(ivec2 at) {
-    vec2 first = (vec2(at) - crease_view.guard) * float(crease_divisor) + 0.5;
     vec4 sum = vec4(0.0);
     crease_unroll for (int j = 0; j < crease_divisor; ++j)
-        crease_unroll for (int i = 0; i < crease_divisor; ++i) {
-            vec2 texel = first + vec2(i, j);
-            float depth = crease_area_depth(crease_depth_at(texel));
-            if (crease_inside(texel) && depth > 0.0)
-                sum += vec4(crease_area_value(crease_view_position(texel, depth), crease_range_mean()), 1.0);
-        }
+        crease_unroll for (int i = 0; i < crease_divisor; ++i)
+            sum += crease_area_part(at, i, j);
     return sum;
 }
 #ifdef __cplusplus

@@ -4,45 +4,21 @@ R"glsl("
 // SPDX-License-Identifier: MIT
 // Turns the lines of some tables into their prefix sums, in place; rows and then columns make a summed-area table:
 // statistical-volumetric-obscurance 3.4 and A.1. A line of any length is cut into as many pieces as there are
-// invocations for it: each sums its piece, a work-efficient scan (up-sweep, down-sweep) of these sums gives what
-// stands before it, and then each writes its piece. The number of pieces is a power of 2.
+// invocations for it: each sums its piece, a scan of these sums gives what stands before it, and then each writes its
+// piece. The number of pieces is a power of 2.
 
 vec4 crease_scan_read(ivec3 at);
 vec4 crease_scan_reread(ivec3 at);
 
-shared vec4 crease_scan_sums[gl_WorkGroupSize.x * gl_WorkGroupSize.y];
+vec4 crease_scan_before(vec4 own, int along, int pieces, int stride);
 
-const int crease_scan_levels = 10; // of the largest workgroup
-
-// The sum of `own` of all invocations of the line before this one.
-vec4 crease_scan_before(vec4 own, int along, int pieces, int stride) {
-    int at = int(gl_LocalInvocationIndex);
-    crease_scan_sums[at] = own;
-    crease_unroll for (int level = 0; level < crease_scan_levels; ++level) {
-        int reach = 1 << level;
-        if (reach < pieces) {
-            barrier();
-            if ((along + 1) % (2 * reach) == 0)
-                crease_scan_sums[at] += crease_scan_sums[at - reach * stride];
-        }
-    }
-    barrier();
-    if (along == pieces - 1)
-        crease_scan_sums[at] = vec4(0.0);
-    crease_unroll for (int level = crease_scan_levels - 1; level >= 0; --level) {
-        int reach = 1 << level;
-        if (reach < pieces) {
-            barrier();
-            if ((along + 1) % (2 * reach) == 0) {
-                vec4 before = crease_scan_sums[at];
-                vec4 left = crease_scan_sums[at - reach * stride];
-                crease_scan_sums[at - reach * stride] = before;
-                crease_scan_sums[at] = before + left;
-            }
-        }
-    }
-    barrier();
-    return crease_scan_sums[at];
+// Adds with what rounding has taken from the sum so far, so that a long piece is as exact as a short one.
+void crease_scan_add(inout vec4 sum, inout vec4 lost, vec4 more) {
+    precise vec4 own = more - lost;
+    precise vec4 next = sum + own;
+    precise vec4 rounded = (next - sum) - own;
+    lost = rounded;
+    sum = next;
 }
 
 void crease_build_line(int line) {
@@ -57,13 +33,14 @@ void crease_build_line(int line) {
     int first = min(along * share, length);
     int last = line < (down ? size.x : size.y) ? min(first + share, length) : first;
     for (int table = crease_scan_first; table < min(crease_scan_end, size.z); ++table) {
-        vec4 sum = vec4(0.0);
+        vec4 sum = vec4(0.0), lost = vec4(0.0);
         for (int i = first; i < last; ++i)
-            sum += crease_scan_read(ivec3(start + i * step, table));
+            crease_scan_add(sum, lost, crease_scan_read(ivec3(start + i * step, table)));
         sum = crease_scan_before(sum, along, pieces, stride);
+        lost = vec4(0.0);
         for (int i = first; i < last; ++i) {
             ivec3 at = ivec3(start + i * step, table);
-            sum += crease_scan_reread(at);
+            crease_scan_add(sum, lost, crease_scan_reread(at));
             imageStore(crease_area_tables, at, sum);
         }
     }

@@ -10,11 +10,11 @@ float crease_unsharp_mask_depth(float depth);
 float crease_area_depth(float depth) { return depth > 0.0 ? min(depth, crease_unsharp_mask_far()) : 0.0; }
 
 vec3 crease_area_value(vec3 position, float centre) {
-    return vec3(0.0, 0.0, crease_unsharp_mask_depth(centre) - crease_unsharp_mask_depth(-position.z));
+    return vec3(crease_unsharp_mask_depth(centre) - crease_unsharp_mask_depth(-position.z), 0.0, 0.0);
 }
 
 vec3 crease_area_position(vec3 value, float centre) {
-    float seen = crease_unsharp_mask_depth(centre) - value.z;
+    float seen = crease_unsharp_mask_depth(centre) - value.x;
     return vec3(0.0, 0.0, -seen * crease_unsharp_mask_far() / (2.0 - seen));
 }
 #ifdef __cplusplus

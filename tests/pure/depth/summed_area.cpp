@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 namespace {
 
 using namespace crease;
@@ -42,4 +44,13 @@ TEST_CASE("the tables are as much smaller than the picture as the number says") 
         CHECK(view.passes[2].size.divisor == divisor);
         CHECK(view.passes.back().size.divisor == 1);
     }
+}
+
+TEST_CASE("the estimator says how many channels the tables have") {
+    using of_depth = effect<box_area<>, summed_area<>, unsharp_mask>;
+    const auto tables = std::ranges::find(of_depth::resources, "area_tables", &resource::name);
+    REQUIRE(tables != of_depth::resources.end());
+    CHECK(tables->texels == format::rg32_float);
+    for (std::size_t i : {2u, 3u})
+        CHECK(contains(of_depth::passes[i].pieces[0].text, "layout(rg32f, "));
 }

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/part.hpp>
+
+namespace crease {
+
+inline constexpr glsl_file subgroup_scan_glsl{
+    "scan/subgroup_scan.glsl",
+#include <crease/scan/subgroup_scan.glsl>
+};
+
+/// Scan: by subgroup operations, where the device has them.
+struct subgroup_scan {
+    static constexpr part description{
+        .kind = role::scan,
+        .name = "subgroup_scan",
+        .summary = "by the device's own operations within a subgroup",
+        .source = "Vulkan 1.1, subgroup operations",
+        .glsl = &subgroup_scan_glsl,
+        .extension = "GL_KHR_shader_subgroup_arithmetic",
+        .features = {.subgroup_arithmetic = true},
+    };
+};
+
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/part.hpp>
+
+namespace crease {
+
+inline constexpr glsl_file work_efficient_scan_glsl{
+    "scan/work_efficient_scan.glsl",
+#include <crease/scan/work_efficient_scan.glsl>
+};
+
+/// Scan: the work-efficient one, which any device can do.
+struct work_efficient_scan {
+    static constexpr part description{
+        .kind = role::scan,
+        .name = "work_efficient_scan",
+        .summary = "up-sweep and down-sweep through shared memory",
+        .source = "statistical-volumetric-obscurance 2015, 3.4 and A.1",
+        .glsl = &work_efficient_scan_glsl,
+    };
+};
+
+}

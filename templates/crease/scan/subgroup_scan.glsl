@@ -1,0 +1,35 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// A scan by the device's own: the sums of all lines stand one after another, whatever the invocations' places, and each
+// subgroup scans its share of them. It may hold several lines, which it takes one by one, or a part of one.
+shared vec4 crease_scan_sums[gl_WorkGroupSize.x * gl_WorkGroupSize.y];
+shared vec4 crease_scan_shares[gl_WorkGroupSize.x * gl_WorkGroupSize.y]; // of each subgroup
+
+// The sum of `own` of all invocations of the line before this one; `stride` is from one to the next in the workgroup.
+vec4 crease_scan_before(vec4 own, int along, int pieces, int stride) {
+    int index = int(gl_LocalInvocationIndex);
+    int place = (stride > 1 ? index % stride : index / pieces) * pieces + along;
+    crease_scan_sums[place] = own;
+    barrier();
+    int share = int(gl_SubgroupID), size = int(gl_SubgroupSize);
+    int at = share * size + int(gl_SubgroupInvocationID);
+    vec4 sum = crease_scan_sums[at], before = vec4(0.0);
+    for (int first = share * size; first < (share + 1) * size; first += pieces)
+        if (at / pieces == first / pieces)
+            before = subgroupExclusiveAdd(sum);
+    vec4 whole = subgroupAdd(sum);
+    if (subgroupElect())
+        crease_scan_shares[share] = whole;
+    barrier();
+    int of_line = max(pieces / size, 1);
+    for (int i = share / of_line * of_line; i < share; ++i)
+        before += crease_scan_shares[i];
+    crease_scan_sums[at] = before;
+    barrier();
+    return crease_scan_sums[place];
+}
+#ifdef __cplusplus
+")glsl"
+#endif

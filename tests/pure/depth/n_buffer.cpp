@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include <crease/crease.hpp>
+
+#include "text.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace crease;
+
+using half = effect<sample_box, n_buffer<5, 2>, mean_height<>>;
+
+static_assert(offers<n_buffer<>, area_layers>);
+static_assert(half::passes.size() == 8); // two of the range, five levels, the main pass
+
+}
+
+TEST_CASE("n_buffer makes each level of the one before, in a table of its own") {
+    const auto tables = std::ranges::find(half::resources, "area_tables", &resource::name);
+    REQUIRE(tables != half::resources.end());
+    CHECK(tables->layers == 5);
+    CHECK(tables->size.divisor == 2);
+    CHECK(half::passes[6].name == "level_4");
+    CHECK(contains(half::passes[6].pieces[0].text, "const int crease_areas_level = 4;"));
+    CHECK(piece_of(half::passes[6], "depth/n_buffer_level.glsl") == n_buffer_level_glsl.text);
+}
+
+TEST_CASE("n_buffer needs no scan") {
+    CHECK_FALSE(recipe("sample_box/n_buffer/mean_height/work_efficient_scan"));
+    CHECK(recipe("box_area/n_buffer:4/unsharp_mask"));
+}
