@@ -136,11 +136,17 @@ struct score {
 
 /// A recipe, and settings of its own behind it: RECIPE[@name=value,...].
 struct candidate {
+    std::string text;
     recipe chosen;
     std::map<std::string, float> settings;
+
+    frame_options options_for(const subject& view) const {
+        return {.radius = view.from.ao_radius, .settings = settings};
+    }
 };
 
-candidate parse_candidate(std::string_view text, const bench_options& options) {
+candidate parse_candidate(const std::string& whole, const bench_options& options) {
+    const std::string_view text = whole;
     const std::size_t at = std::min(text.find('@'), text.size());
     std::vector<std::string> settings = options.settings;
     for (std::string_view rest = text.substr(at); !rest.empty();) {
@@ -149,7 +155,7 @@ candidate parse_candidate(std::string_view text, const bench_options& options) {
         settings.emplace_back(rest.substr(0, comma));
         rest.remove_prefix(comma);
     }
-    candidate read{recipe(text.substr(0, at)), parse_settings(settings)};
+    candidate read{whole, recipe(text.substr(0, at)), parse_settings(settings)};
     if (!read.chosen)
         throw std::runtime_error(std::string(read.chosen.error()));
     return read;
@@ -173,36 +179,40 @@ void add_particulars(nlohmann::ordered_json& row, const subject& view, const fra
         row["bent_degrees"] = mean_angle(*made.bent, view.bent);
 }
 
-nlohmann::ordered_json measure(vulkan::device& device, const std::string& text,
-                               const std::vector<subject>& views, const bench_options& options) {
-    const auto [wanted, settings] = parse_candidate(text, options);
-    const recipe chosen = supported(device, wanted);
+/// The times of the candidates on the first view.
+std::vector<frame_times> time_candidates(vulkan::device& device, const std::vector<candidate>& candidates,
+                                         const subject& view, unsigned repeats) {
+    std::vector<std::unique_ptr<prepared_effect>> effects;
+    for (const candidate& each : candidates)
+        effects.push_back(
+            std::make_unique<prepared_effect>(device, each.chosen, view.inputs, each.options_for(view)));
+    progress bar("timing by turns");
+    return take_turns(effects, repeats, [&bar](double done) { bar(done); });
+}
+
+nlohmann::ordered_json measure(vulkan::device& device, const candidate& of, const frame_times& times,
+                               const std::vector<subject>& views) {
     nlohmann::ordered_json passes = nlohmann::ordered_json::array(), each = nlohmann::ordered_json::array();
-    const auto composed = std::make_unique<composition>(chosen);
+    score mean;
+    const auto composed = std::make_unique<composition>(supported(device, of.chosen));
     for (const pass& p : composed->view().passes) {
         const shader_work work = count_work(spirv::compile(p));
-        passes.push_back({{"name", p.name}, {"fetches", work.fetches}, {"instructions", work.instructions}});
+        const double milliseconds = times.passes[passes.size()].milliseconds;
+        passes.push_back({{"name", p.name},
+                          {"fetches", work.fetches},
+                          {"instructions", work.instructions},
+                          {"milliseconds", milliseconds}});
+        mean.milliseconds += milliseconds;
     }
-    score mean;
-    for (std::size_t v = 0; v < views.size(); ++v) {
-        const subject& view = views[v];
-        const frame made = run_effect(
-            device, chosen, view.inputs,
-            {.radius = view.from.ao_radius, .settings = settings, .repeats = v == 0 ? options.repeats : 1});
-        if (v == 0) // times are those of the first view
-            for (std::size_t i = 0; i < made.passes.size(); ++i) {
-                passes[i]["milliseconds"] = made.passes[i].milliseconds;
-                mean.milliseconds += made.passes[i].milliseconds;
-            }
-        if (v == 0)
-            for (const vulkan::pass_time& t : made.captures)
-                mean.capture_milliseconds += t.milliseconds;
+    for (const vulkan::pass_time& t : times.captures)
+        mean.capture_milliseconds += t.milliseconds;
+    for (const subject& view : views) {
+        const frame made = run_effect(device, of.chosen, view.inputs, of.options_for(view));
         const comparison_settings mask{.depth = &view.inputs.depth, .far = view.from.far};
         const comparison linear = compare(made.visibility, view.linear, mask);
         const double share = 1.0 / static_cast<double>(views.size());
         const double hard = compare(made.visibility, view.hard, mask).rmse;
-        const frame after = run_effect(device, chosen, view.moved,
-                                       {.radius = view.from.ao_radius, .settings = settings, .repeats = 1});
+        const frame after = run_effect(device, of.chosen, view.moved, of.options_for(view));
         const double change = compare(after.visibility, made.visibility, mask).mae;
         const double quad = compare(made.visibility, view.quad, mask).rmse;
         mean.rmse_hard += share * hard;
@@ -221,7 +231,7 @@ nlohmann::ordered_json measure(vulkan::device& device, const std::string& text,
                         {"change", change}});
         add_particulars(each.back(), view, made);
     }
-    return {{"recipe", text},
+    return {{"recipe", of.text},
             {"milliseconds", mean.milliseconds},
             {"capture_milliseconds", mean.capture_milliseconds},
             {"rmse_hard", mean.rmse_hard},
@@ -264,12 +274,11 @@ struct baseline {
 
 /// The baselines that the recipes are to be compared with: those of tables only where a recipe has tables.
 std::vector<baseline> time_baselines(vulkan::device& device, const gbuffer& inputs,
-                                     const bench_options& options) {
+                                     const std::vector<candidate>& candidates, const bench_options& options) {
     std::vector<baseline> all = {{"fetch_loop_milliseconds", "32 fetches of depth and no more",
                                   time_fetch_loop(device, inputs, options.repeats)}};
-    const bool tables = std::ranges::any_of(options.recipes, [&options](const std::string& text) {
-        const recipe chosen = parse_candidate(text, options).chosen;
-        return std::ranges::any_of(chosen.choices(),
+    const bool tables = std::ranges::any_of(candidates, [](const candidate& each) {
+        return std::ranges::any_of(each.chosen.choices(),
                                    [](const choice& c) { return has(c.what->offers, &area_layers::value); });
     });
     if (!tables)
@@ -282,6 +291,9 @@ std::vector<baseline> time_baselines(vulkan::device& device, const gbuffer& inpu
 }
 
 void run(const bench_options& options) {
+    std::vector<candidate> candidates;
+    for (const std::string& text : options.recipes)
+        candidates.push_back(parse_candidate(text, options));
     vulkan::device device({.name = options.device});
     std::vector<subject> views;
     for (const std::string& scene :
@@ -290,7 +302,8 @@ void run(const bench_options& options) {
             views.push_back(std::move(view));
     if (views.empty())
         throw std::runtime_error("none of the scenes has a camera that --cameras names");
-    const std::vector<baseline> baselines = time_baselines(device, views[0].inputs, options);
+    const std::vector<baseline> baselines = time_baselines(device, views[0].inputs, candidates, options);
+    const std::vector<frame_times> times = time_candidates(device, candidates, views[0], options.repeats);
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     if (!options.as_json) {
         fmt::print(
@@ -300,8 +313,8 @@ void run(const bench_options& options) {
         for (const baseline& b : baselines)
             fmt::print("{:<58} {:7.2f} ms\n", b.title, b.milliseconds);
     }
-    for (const std::string& text : options.recipes) {
-        rows.push_back(measure(device, text, views, options));
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        rows.push_back(measure(device, candidates[i], times[i], views));
         if (!options.as_json)
             print(rows.back());
     }
@@ -342,7 +355,9 @@ void add_bench(CLI::App& app) {
     command->add_option("--rays", options->rays, "of the truth")
         ->check(CLI::Range(1u, 65536u))
         ->capture_default_str();
-    command->add_option("--repeats", options->repeats, "timed runs, of which the median counts")
+    command
+        ->add_option("--repeats", options->repeats,
+                     "timed runs, in which the recipes take turns; the median counts")
         ->check(CLI::Range(1u, 1000u))
         ->capture_default_str();
     command->add_flag("--json", options->as_json, "for programs");

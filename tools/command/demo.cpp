@@ -44,7 +44,7 @@ void emit_both(const std::filesystem::path& directory, const char* recipe_text) 
 
 double total(const frame& made) {
     double milliseconds = 0;
-    for (const vulkan::pass_time& t : made.passes)
+    for (const vulkan::pass_time& t : made.times.passes)
         milliseconds += t.milliseconds;
     return milliseconds;
 }
@@ -73,14 +73,21 @@ void run(const demo_options& options) {
         {traced.ao_linear, {"ray-traced truth", fmt::format("{} rays, linear", options.rays)}}};
 
     const gbuffer inputs = rasterise(device, scene, from);
+    std::vector<std::unique_ptr<prepared_effect>> effects;
+    for (const auto& shown : shown_recipes)
+        effects.push_back(
+            std::make_unique<prepared_effect>(device, recipe(std::string_view(shown.recipe)), inputs,
+                                              frame_options{.radius = from.ao_radius, .settings = {}}));
+    const std::vector<frame_times> times = take_turns(effects, 5);
     std::vector<frame> frames;
     frames.reserve(std::size(shown_recipes)); // cells refer to them
     nlohmann::ordered_json figures = nlohmann::ordered_json::array();
     for (const auto& [name, text] : shown_recipes) {
         const std::filesystem::path directory = options.directory / name;
         emit_both(directory, text);
-        frames.push_back(run_effect(device, recipe(std::string_view(text)), inputs,
-                                    {.radius = from.ao_radius, .settings = {}, .repeats = 5}));
+        const std::size_t i = frames.size();
+        frames.push_back(effects[i]->picture());
+        frames.back().times = times[i];
         const frame& made = frames.back();
         write_png(directory / "ao.png", made.visibility);
         const comparison error =

@@ -56,8 +56,8 @@ nlohmann::ordered_json describe(const render_options& options, const camera& fro
             {"device", device},
             {"guard", options.guard},
             {"frame", options.frame},
-            {"captures", times_of(made.captures)},
-            {"passes", times_of(made.passes)}};
+            {"captures", times_of(made.times.captures)},
+            {"passes", times_of(made.times.passes)}};
 }
 
 void run(const render_options& options) {

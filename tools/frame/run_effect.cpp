@@ -50,21 +50,6 @@ void upload_inputs(vulkan::runner& runner, const effect_view& effect, const gbuf
     }
 }
 
-/// For each pass the median of its times, the first run left out where there are others.
-std::vector<vulkan::pass_time> medians(const std::vector<std::vector<vulkan::pass_time>>& runs) {
-    std::vector<vulkan::pass_time> middle = runs.back();
-    const std::size_t first = runs.size() > 1 ? 1 : 0;
-    for (std::size_t p = 0; p < middle.size(); ++p) {
-        std::vector<double> times;
-        for (std::size_t r = first; r < runs.size(); ++r)
-            times.push_back(runs[r][p].milliseconds);
-        const auto half = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-        std::nth_element(times.begin(), half, times.end());
-        middle[p].milliseconds = *half;
-    }
-    return middle;
-}
-
 /// The second camera's place: that of the options, or beside the first and turned to the middle of what it
 /// sees.
 void place_second(parameters& how, const gbuffer& inputs, const frame_options& options) {
@@ -101,24 +86,6 @@ transforms transforms_of(const capture& which, parameters& how, const gbuffer& i
     return {turn * inputs.drawn.how.view_from_world, projection};
 }
 
-std::vector<std::vector<vulkan::pass_time>> draw_captures(vulkan::device& device, const effect_view& effect,
-                                                          vulkan::runner& runner, parameters& how,
-                                                          const gbuffer& inputs, unsigned repeats) {
-    const piece vertex[] = {{"capture.vert", vertex_glsl}}, fragment[] = {{"capture.frag", fragment_glsl}};
-    std::vector<std::vector<vulkan::pass_time>> runs(repeats);
-    for (std::size_t i = 0; i < effect.captures.size(); ++i) {
-        const capture& each = effect.captures[i];
-        const transforms pushed = transforms_of(each, how, inputs, i == 1);
-        vulkan::capturer capturer(
-            device, effect, i, runner,
-            {.vertex = vertex, .fragment = fragment, .push_constant_bytes = sizeof(transforms)});
-        for (auto& run : runs)
-            run.push_back({std::string(each.name), capturer.draw(*inputs.drawn.triangles, how,
-                                                                 std::as_bytes(std::span(&pushed, 1)))});
-    }
-    return runs;
-}
-
 }
 
 recipe supported(const vulkan::device& device, const recipe& chosen) {
@@ -140,38 +107,74 @@ recipe supported(const vulkan::device& device, const recipe& chosen) {
     return chosen; // whose features the runner names
 }
 
-frame run_effect(vulkan::device& device, const recipe& wanted, const gbuffer& inputs,
-                 const frame_options& options) {
+prepared_effect::prepared_effect(vulkan::device& device, const recipe& wanted, const gbuffer& inputs,
+                                 const frame_options& options)
+    : inputs_(inputs) {
     const recipe chosen = supported(device, wanted);
-    parameters how = settle(chosen, options);
-    const auto composed = std::make_unique<composition>(chosen);
-    const effect_view effect = composed->view();
+    how_ = settle(chosen, options);
+    composed_ = std::make_unique<composition>(chosen);
+    const effect_view effect = composed_->view();
     if (effect.passes.back().stage == stage_kind::functions ||
         effect.passes.back().dialect != dialect_kind::vulkan)
         throw std::runtime_error("a recipe that is run is of programs in the vulkan dialect");
-    how.view = inputs.view;
+    how_.view = inputs.view;
     if (effect.captures.size() > 1)
-        place_second(how, inputs, options);
-    vulkan::runner runner(device, effect, inputs.depth.width, inputs.depth.height,
-                          {.guard = inputs.guard, .constants = {}, .shaders = {}});
-    upload_inputs(runner, effect, inputs);
-    const unsigned repeats = options.repeats > 1 ? options.repeats + 1 : 1;
-    frame made{.visibility = image(inputs.depth.width, inputs.depth.height),
-               .bent = {},
-               .cone = {},
-               .captures = medians(draw_captures(device, effect, runner, how, inputs, repeats)),
-               .passes = medians(runner.run(how, repeats))};
-    made.visibility.texels = runner.download("visibility");
-    for (const resource& r : effect.resources)
+        place_second(how_, inputs, options);
+    runner_ = std::make_unique<vulkan::runner>(
+        device, effect, inputs.depth.width, inputs.depth.height,
+        vulkan::runner_options{.guard = inputs.guard, .constants = {}, .shaders = {}});
+    upload_inputs(*runner_, effect, inputs);
+    prepare_captures(device);
+}
+
+void prepared_effect::prepare_captures(vulkan::device& device) {
+    const piece vertex[] = {{"capture.vert", vertex_glsl}}, fragment[] = {{"capture.frag", fragment_glsl}};
+    const effect_view effect = composed_->view();
+    for (std::size_t i = 0; i < effect.captures.size(); ++i) {
+        const transforms pushed = transforms_of(effect.captures[i], how_, inputs_, i == 1);
+        captures_.push_back(
+            {std::make_unique<vulkan::capturer>(
+                 device, effect, i, *runner_,
+                 vulkan::geometry_shaders{
+                     .vertex = vertex, .fragment = fragment, .push_constant_bytes = sizeof pushed}),
+             pushed});
+    }
+}
+
+frame_times prepared_effect::run() {
+    frame_times times;
+    for (std::size_t i = 0; i < captures_.size(); ++i)
+        times.captures.push_back(
+            {std::string(composed_->view().captures[i].name),
+             captures_[i].draws->draw(*inputs_.drawn.triangles, how_,
+                                      std::as_bytes(std::span(&captures_[i].pushed, 1)))});
+    times.passes = runner_->run(how_);
+    return times;
+}
+
+frame prepared_effect::picture() {
+    const unsigned width = inputs_.depth.width, height = inputs_.depth.height;
+    frame made{.visibility = image(width, height), .bent = {}, .cone = {}, .times = {}};
+    made.visibility.texels = runner_->download("visibility");
+    for (const resource& r : composed_->view().resources)
         if (r.name == "bent_cone") {
-            made.bent = image(inputs.depth.width, inputs.depth.height, 3);
-            made.cone = image(inputs.depth.width, inputs.depth.height);
-            const std::vector<float> four = runner.download(r.name);
+            made.bent = image(width, height, 3);
+            made.cone = image(width, height);
+            const std::vector<float> four = runner_->download(r.name);
             for (std::size_t i = 0; i < made.cone->texels.size(); ++i) {
                 std::copy_n(&four[4 * i], 3, &made.bent->texels[3 * i]);
                 made.cone->texels[i] = four[4 * i + 3];
             }
         }
+    return made;
+}
+
+frame run_effect(vulkan::device& device, const recipe& chosen, const gbuffer& inputs,
+                 const frame_options& options) {
+    prepared_effect ready(device, chosen, inputs, options);
+    const frame_times times = ready.run();
+    frame made = ready.picture();
+    made.times = times;
     return made;
 }
 

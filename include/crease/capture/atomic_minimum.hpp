@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/part.hpp>
+#include <crease/capture/places.hpp>
 
 namespace crease {
 
@@ -16,11 +16,6 @@ inline constexpr glsl_file atomic_minimum_draw_glsl{
 };
 
 struct atomic_minimum_part {
-    static constexpr number takes[] = {
-        {"set", 0, 31, 0, "descriptor set of the capture's bindings in the host's geometry pass", false},
-        {"first_binding", 0, 1023, 0, "binding of the block of parameters; the others follow", false},
-        {"first_constant", 0, 1023, 0, "constant_id of the first number; the others follow", false},
-    };
     static constexpr resource layers[] = {{.name = "captured_layers",
                                            .texels = format::r32_uint,
                                            .life = lifetime::captured,
@@ -40,7 +35,7 @@ struct atomic_minimum_part {
         .summary = "an array image filled by atomic minimum: any number of samples, no multisampling",
         .source = "stochastic-depth-ao 2020, Algorithm 4",
         .glsl = &atomic_minimum_glsl,
-        .numbers = takes,
+        .numbers = capture_places,
         .resources = layers,
         .captures = &draws,
     };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/part.hpp>
+#include <crease/capture/places.hpp>
 
 namespace crease {
 
@@ -16,11 +16,6 @@ inline constexpr glsl_file multisampled_draw_glsl{
 };
 
 struct multisampled_part {
-    static constexpr number takes[] = {
-        {"set", 0, 31, 0, "descriptor set of the capture's bindings in the host's geometry pass", false},
-        {"first_binding", 0, 1023, 0, "binding of the block of parameters; the others follow", false},
-        {"first_constant", 0, 1023, 0, "constant_id of the first number; the others follow", false},
-    };
     static constexpr resource layers[] = {{.name = "captured_layers",
                                            .texels = format::d32_float,
                                            .life = lifetime::captured,
@@ -38,7 +33,7 @@ struct multisampled_part {
         .summary = "the samples of a multisampled depth image",
         .source = "stochastic-depth-ao 2020, 5.1 and 6.1",
         .glsl = &multisampled_glsl,
-        .numbers = takes,
+        .numbers = capture_places,
         .resources = layers,
         .captures = &draws,
     };

@@ -8,6 +8,9 @@ vec3 crease_bent_turn(crease_receiver receiver, vec2 direction, float cosine, fl
     return receiver.normal * cosine - cross(axis, receiver.normal) * sine +
         axis * (dot(axis, receiver.normal) * (1.0 - cosine));
 }
+
+// The mean of the directions' cones.
+float crease_bend_cone(crease_bend bend) { return bend.cone / bend.weight; }
 #ifdef __cplusplus
 ")glsl"
 #endif

@@ -22,8 +22,6 @@ void crease_bend_turn(inout crease_bend bend, crease_receiver receiver, crease_e
     bend.cone += acos(min(sine, 1.0));
     bend.weight += 1.0;
 }
-
-float crease_bend_cone(crease_bend bend) { return bend.cone / bend.weight; }
 #ifdef __cplusplus
 ")glsl"
 #endif

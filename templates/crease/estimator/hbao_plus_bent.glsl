@@ -20,8 +20,6 @@ void crease_bend_turn(inout crease_bend bend, crease_receiver receiver, crease_e
     bend.weight += 1.0;
     bend.highest = 0.0;
 }
-
-float crease_bend_cone(crease_bend bend) { return bend.cone / bend.weight; }
 #ifdef __cplusplus
 ")glsl"
 #endif

@@ -23,12 +23,13 @@ crease_result crease_evaluate(ivec2 pixel) {
     mat4 second_from_first = crease_given.crease_second_from_first;
     vec3 position = (second_from_first * vec4(receiver.position, 1.0)).xyz;
     vec3 normal = mat3(second_from_first) * receiver.normal;
-    if (position.z < 0.0) { // in front of the second camera
-        crease_receiver second = crease_receiver_at(pixel, crease_texel_at(position), position, normal);
-        crease_gathered other = crease_gather(second);
-        if (other.occlusion > gathered.occlusion)
-            gathered = crease_gathered_turned_back(other, mat3(second_from_first));
-    }
+    // What stands behind the second camera looks around from elsewhere, in vain: a branch around all that costs more.
+    bool in_front = position.z < 0.0;
+    vec3 there = in_front ? position : receiver.position;
+    crease_receiver second = crease_receiver_at(pixel, crease_texel_at(there), there, normal);
+    crease_gathered other = crease_gather(second);
+    if (in_front && other.occlusion > gathered.occlusion)
+        gathered = crease_gathered_turned_back(other, mat3(second_from_first));
     return crease_conclude(gathered, receiver);
 }
 #ifdef __cplusplus
