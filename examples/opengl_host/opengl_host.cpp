@@ -87,8 +87,8 @@ std::vector<GLuint> make_textures() {
         glGenTextures(1, &textures.back());
         glBindTexture(GL_TEXTURE_2D, textures.back());
         glTexStorage2D(GL_TEXTURE_2D, 1, format_of(resource.texels),
-                       static_cast<GLsizei>(resource.size.width_of(corner::width)),
-                       static_cast<GLsizei>(resource.size.height_of(corner::height)));
+                       static_cast<GLsizei>(resource.size.width_of(picture::width)),
+                       static_cast<GLsizei>(resource.size.height_of(picture::height)));
     }
     return textures;
 }
@@ -104,8 +104,8 @@ void run(const crease::pass& pass, const std::vector<GLuint>& textures, GLuint p
             glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
                                    textures[binding.resource], 0);
         }
-    glViewport(0, 0, static_cast<GLsizei>(pass.size.width_of(corner::width)),
-               static_cast<GLsizei>(pass.size.height_of(corner::height)));
+    glViewport(0, 0, static_cast<GLsizei>(pass.size.width_of(picture::width)),
+               static_cast<GLsizei>(pass.size.height_of(picture::height)));
     const GLuint program = link(pass);
     glUseProgram(program);
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -133,15 +133,15 @@ std::vector<std::uint8_t> render(const std::vector<float>& depth, const crease::
     for (std::size_t i = 0; i < textures.size(); ++i)
         if (ao::resources[i].name == "depth") {
             glBindTexture(GL_TEXTURE_2D, textures[i]);
-            glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, corner::width, corner::height, GL_DEPTH_COMPONENT,
+            glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, picture::width, picture::height, GL_DEPTH_COMPONENT,
                             GL_FLOAT, depth.data());
         }
     for (const crease::pass& pass : ao::passes)
         run(pass, textures, block);
 
-    std::vector<std::uint8_t> visibility(corner::width * corner::height);
+    std::vector<std::uint8_t> visibility(picture::width * picture::height);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, corner::width, corner::height, GL_RED, GL_UNSIGNED_BYTE, visibility.data());
+    glReadPixels(0, 0, picture::width, picture::height, GL_RED, GL_UNSIGNED_BYTE, visibility.data());
     if (const GLenum code = glGetError(); code != GL_NO_ERROR)
         throw std::runtime_error("OpenGL error " + std::to_string(code));
     return visibility;
@@ -156,28 +156,28 @@ int main(int count, char** arguments) {
         // OpenGL's own clip space: depth from -1 to 1, y up, and row 0 of an image is its lowest.
         constexpr crease::clip_space clip{.depth_zero_to_one = false};
         constexpr float near = 0.1f, far = 20;
-        constexpr corner::matrix projection = {1,
-                                               0,
-                                               0,
-                                               0,
-                                               0,
-                                               16.f / 9,
-                                               0,
-                                               0,
-                                               0,
-                                               0,
-                                               (near + far) / (near - far),
-                                               -1,
-                                               0,
-                                               0,
-                                               2 * near * far / (near - far),
-                                               0};
+        constexpr picture::matrix projection = {1,
+                                                0,
+                                                0,
+                                                0,
+                                                0,
+                                                16.f / 9,
+                                                0,
+                                                0,
+                                                0,
+                                                0,
+                                                (near + far) / (near - far),
+                                                -1,
+                                                0,
+                                                0,
+                                                2 * near * far / (near - far),
+                                                0};
         crease::parameters parameters = ao::defaults;
-        crease::set_projection(parameters.view, projection, corner::width, corner::height, clip);
+        crease::set_projection(parameters.view, projection, picture::width, picture::height, clip);
         parameters.radius = corner::radius;
 
         const auto visibility = render(corner::device_depth(projection, clip), parameters);
-        if (count > 1 && !corner::write_pgm(arguments[1], visibility, false))
+        if (count > 1 && !picture::write_pgm(arguments[1], visibility, false))
             throw std::runtime_error("cannot write " + std::string(arguments[1]));
         return corner::plausible(visibility, projection) ? 0 : 1;
     } catch (const std::exception& failure) {

@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "picture.hpp"
+
 #include <crease/parameters.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <fstream>
 #include <iostream>
-#include <string>
-#include <vector>
 
 /// Stands for the engine's G-buffer: a floor, a wall and a box, seen in perspective.
 namespace corner {
 
-inline constexpr unsigned width = 640, height = 360;
 inline constexpr float radius = 0.8f; // of the ambient occlusion, in the units of the scene
-
-using matrix = float[16]; // column-major, view space to clip space
 
 /// Distance along the view direction to what the ray through (x, y, -1) hits.
 inline float depth_along(float x, float y) {
@@ -34,12 +28,12 @@ inline float depth_along(float x, float y) {
 }
 
 /// The depth buffer that a rasteriser with this projection would leave, row 0 first.
-inline std::vector<float> device_depth(const matrix& projection, crease::clip_space clip) {
+inline std::vector<float> device_depth(const picture::matrix& projection, crease::clip_space clip) {
     std::vector<float> texels;
-    for (unsigned j = 0; j < height; ++j)
-        for (unsigned i = 0; i < width; ++i) {
-            const float ndc_x = 2 * (static_cast<float>(i) + 0.5f) / width - 1;
-            const float ndc_y = 2 * (static_cast<float>(j) + 0.5f) / height - 1;
+    for (unsigned j = 0; j < picture::height; ++j)
+        for (unsigned i = 0; i < picture::width; ++i) {
+            const float ndc_x = 2 * (static_cast<float>(i) + 0.5f) / picture::width - 1;
+            const float ndc_y = 2 * (static_cast<float>(j) + 0.5f) / picture::height - 1;
             const float depth = depth_along(ndc_x / projection[0], ndc_y / projection[5]);
             const float ndc_z = projection[14] / depth - projection[10];
             texels.push_back(clip.depth_zero_to_one ? ndc_z : 0.5f * ndc_z + 0.5f);
@@ -47,36 +41,12 @@ inline std::vector<float> device_depth(const matrix& projection, crease::clip_sp
     return texels;
 }
 
-/// Mean visibility around the texel at which a point of view space is seen.
-inline float mean_around(const std::vector<std::uint8_t>& visibility, const matrix& projection, float x,
-                         float y, float depth) {
-    constexpr int reach = 4; // the randomness of a pixel evens out over its neighbours
-    const int i0 = static_cast<int>((projection[0] * x / depth * 0.5f + 0.5f) * width);
-    const int j0 = static_cast<int>((projection[5] * y / depth * 0.5f + 0.5f) * height);
-    float sum = 0;
-    for (int j = j0 - reach; j <= j0 + reach; ++j)
-        for (int i = i0 - reach; i <= i0 + reach; ++i)
-            sum += visibility[static_cast<unsigned>(j) * width + static_cast<unsigned>(i)];
-    return sum / (255 * (2 * reach + 1) * (2 * reach + 1));
-}
-
 /// Whether the visibility is as the scene asks for; says what it is.
-inline bool plausible(const std::vector<std::uint8_t>& visibility, const matrix& projection) {
-    const float floor = mean_around(visibility, projection, -0.8f, -1, 2.5f);
-    const float edge = mean_around(visibility, projection, -0.8f, -1, 4.97f);
+inline bool plausible(const std::vector<std::uint8_t>& visibility, const picture::matrix& projection) {
+    const float floor = picture::mean_around(visibility, projection, -0.8f, -1, 2.5f);
+    const float edge = picture::mean_around(visibility, projection, -0.8f, -1, 4.97f);
     std::cout << "visibility of the open floor " << floor << ", where it meets the wall " << edge << '\n';
     return floor > 0.98f && edge < 0.8f && edge > 0.3f;
-}
-
-/// Writes a PGM picture, top row first.
-inline bool write_pgm(const std::string& path, const std::vector<std::uint8_t>& visibility,
-                      bool top_row_first) {
-    std::ofstream file(path, std::ios::binary);
-    file << "P5\n" << width << ' ' << height << "\n255\n";
-    for (unsigned row = 0; row < height; ++row)
-        for (unsigned i = 0; i < width; ++i)
-            file.put(static_cast<char>(visibility[(top_row_first ? row : height - 1 - row) * width + i]));
-    return static_cast<bool>(file.flush());
 }
 
 }

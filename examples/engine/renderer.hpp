@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vulkan/vulkan.h>
+#include "image.hpp"
 
-#include <cstddef>
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
+#include <cstring>
+#include <deque>
 #include <functional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-// What a designated initialiser leaves out is zero, as Vulkan wants it.
-#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 
 /// The engine's own renderer, which knows nothing of crease: a device, memory and one queue.
 class renderer {
@@ -49,6 +51,18 @@ public:
         return handle;
     }
 
+    /// A stage of a pipeline, from SPIR-V.
+    VkPipelineShaderStageCreateInfo make_shader(VkShaderStageFlagBits stage,
+                                                std::span<const std::uint32_t> words) {
+        const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                            .codeSize = words.size_bytes(),
+                                            .pCode = words.data()};
+        return {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                .stage = stage,
+                .module = make<VkShaderModule>(vkCreateShaderModule, info, vkDestroyShaderModule),
+                .pName = "main"};
+    }
+
     struct mapped_buffer {
         VkBuffer handle;
         void* bytes;
@@ -68,32 +82,60 @@ public:
         return {handle, bytes};
     }
 
-    struct image {
-        VkImage handle;
-        VkImageView view;
-        VkImageSubresourceRange range;
-    };
-
-    image make_image(VkExtent3D size, VkFormat format, VkImageUsageFlags usage, VkImageAspectFlags aspect) {
+    /// @param layers  of an array image; 0: it is none
+    image& make_image(VkExtent2D size, VkFormat format, VkImageUsageFlags usage, VkImageAspectFlags aspect,
+                      std::uint32_t layers = 0) {
         const VkImageCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
                                      .imageType = VK_IMAGE_TYPE_2D,
                                      .format = format,
-                                     .extent = size,
+                                     .extent = {size.width, size.height, 1},
                                      .mipLevels = 1,
-                                     .arrayLayers = 1,
+                                     .arrayLayers = std::max(layers, 1u),
                                      .samples = VK_SAMPLE_COUNT_1_BIT,
                                      .usage = usage};
-        image made{make<VkImage>(vkCreateImage, info, vkDestroyImage), {}, {aspect, 0, 1, 0, 1}};
+        image made{.handle = make<VkImage>(vkCreateImage, info, vkDestroyImage),
+                   .range = {aspect, 0, 1, 0, info.arrayLayers},
+                   .size = info.extent};
         VkMemoryRequirements needs;
         vkGetImageMemoryRequirements(device_, made.handle, &needs);
         check(vkBindImageMemory(device_, made.handle, allocate(needs, 0), 0), "binding memory");
         const VkImageViewCreateInfo view{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
                                          .image = made.handle,
-                                         .viewType = VK_IMAGE_VIEW_TYPE_2D,
+                                         .viewType = layers == 0 ? VK_IMAGE_VIEW_TYPE_2D
+                                                                 : VK_IMAGE_VIEW_TYPE_2D_ARRAY,
                                          .format = format,
                                          .subresourceRange = made.range};
         made.view = make<VkImageView>(vkCreateImageView, view, vkDestroyImageView);
-        return made;
+        return images_.emplace_back(made);
+    }
+
+    /// Fills an image of one layer.
+    void upload(image& to, std::span<const std::byte> texels) {
+        const mapped_buffer from = make_buffer(texels.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
+        std::memcpy(from.bytes, texels.data(), texels.size());
+        run([&](VkCommandBuffer commands) {
+            const VkBufferImageCopy whole = whole_of(to);
+            to.change(commands, copy_target);
+            vkCmdCopyBufferToImage(commands, from.handle, to.handle, copy_target.layout, 1, &whole);
+        });
+    }
+
+    /// The texels of an image of one byte each.
+    std::vector<std::uint8_t> download(image& from) {
+        const std::size_t count = std::size_t{from.size.width} * from.size.height;
+        const mapped_buffer to = make_buffer(count, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+        run([&](VkCommandBuffer commands) {
+            const VkBufferImageCopy whole = whole_of(from);
+            from.change(commands, copy_source);
+            vkCmdCopyImageToBuffer(commands, from.handle, copy_source.layout, to.handle, 1, &whole);
+            const VkMemoryBarrier to_host{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
+                                          .srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT,
+                                          .dstAccessMask = VK_ACCESS_HOST_READ_BIT};
+            vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1,
+                                 &to_host, 0, nullptr, 0, nullptr);
+        });
+        const auto* texels = static_cast<const std::uint8_t*>(to.bytes);
+        return {texels, texels + count};
     }
 
     /// Records commands, submits them and waits until they are done.
@@ -118,6 +160,10 @@ public:
     }
 
 private:
+    static VkBufferImageCopy whole_of(const image& of) {
+        return {.imageSubresource = {of.range.aspectMask, 0, 0, 1}, .imageExtent = of.size};
+    }
+
     void make_instance() {
         const VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
                                             .apiVersion = VK_API_VERSION_1_1};
@@ -136,8 +182,7 @@ private:
         for (VkPhysicalDevice each : devices) {
             VkPhysicalDeviceFeatures has;
             vkGetPhysicalDeviceFeatures(each, &has);
-            if (has.shaderStorageImageExtendedFormats >= wanted.shaderStorageImageExtendedFormats &&
-                choose_queue(each)) {
+            if (cover(has, wanted) && choose_queue(each)) {
                 physical_ = each;
                 return;
             }
@@ -145,12 +190,18 @@ private:
         throw std::runtime_error("no Vulkan device has graphics, compute and the features wanted");
     }
 
+    static bool cover(const VkPhysicalDeviceFeatures& has, const VkPhysicalDeviceFeatures& wanted) {
+        using all = std::array<VkBool32, sizeof has / sizeof(VkBool32)>;
+        return std::ranges::equal(std::bit_cast<all>(has), std::bit_cast<all>(wanted),
+                                  std::greater_equal<>());
+    }
+
     bool choose_queue(VkPhysicalDevice of) {
         std::uint32_t count = 0;
         vkGetPhysicalDeviceQueueFamilyProperties(of, &count, nullptr);
         std::vector<VkQueueFamilyProperties> families(count);
         vkGetPhysicalDeviceQueueFamilyProperties(of, &count, families.data());
-        constexpr VkQueueFlags both = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT; // graphics: to copy depth
+        constexpr VkQueueFlags both = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
         for (family_ = 0; family_ < count; ++family_)
             if ((families[family_].queueFlags & both) == both)
                 return true;
@@ -191,5 +242,6 @@ private:
     VkDevice device_{};
     VkQueue queue_{};
     std::uint32_t family_ = 0;
+    std::deque<image> images_;                   // which stay where they are
     std::vector<std::function<void()>> cleanup_; // in the order of making
 };

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// An engine with its own Vulkan renderer whose geometry pass captures layers, so that what a screen hides
+// darkens the wall beside it.
+#include "geometry_pass.hpp"
+
+#include <cmath>
+#include <iostream>
+
+using front_alone = crease::effect<crease::directions<4, 4>, crease::single_layer, crease::hbao,
+                                   crease::reconstructed_normals>;
+using layered = crease::effect<crease::directions<4, 4>, crease::stochastic_layers<8>, crease::hbao,
+                               crease::atomic_minimum<>, crease::reconstructed_normals>;
+
+namespace {
+
+constexpr picture::matrix projection = {1, 0, 0, 0, 0, -16.f / 9, 0, 0, 0, 0, 0, -1, 0, 0, 0.1f, 0};
+
+template <class Effect>
+crease::parameters parameters_of() {
+    crease::parameters values = Effect::defaults;
+    crease::set_projection(values.view, projection, picture::width, picture::height);
+    values.radius = shaders::radius;
+    return values;
+}
+
+struct pictures {
+    std::vector<std::uint8_t> with_layers, front;
+};
+
+pictures render(renderer& gpu) {
+    image& depth = gpu.make_image({picture::width, picture::height}, VK_FORMAT_D32_SFLOAT,
+                                  VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
+                                  VK_IMAGE_ASPECT_DEPTH_BIT);
+    occlusion with_layers(gpu, layered::view(), parameters_of<layered>(), depth);
+    occlusion front(gpu, front_alone::view(), parameters_of<front_alone>(), depth);
+
+    constexpr const crease::capture& capture = layered::captures[0];
+    static_assert(!capture.to_attachment()); // so that it is drawn without attachments and depth test
+    const occlusion::bound bindings =
+        with_layers.bind(capture.bindings, VK_SHADER_STAGE_FRAGMENT_BIT, {&geometry_pass::camera, 1});
+    geometry_pass seen(gpu, &depth, shaders::captures_nothing, bindings);
+    geometry_pass captured(gpu, nullptr, layered::capture_source<0>, bindings);
+
+    gpu.run([&](VkCommandBuffer commands) {
+        seen.record(commands, projection);
+        with_layers.clear(commands, capture);
+        with_layers.make_ready(commands, capture.bindings, VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT);
+        captured.record(commands, projection);
+        with_layers.record(commands);
+        front.record(commands);
+    });
+    return {gpu.download(with_layers.visibility()), gpu.download(front.visibility())};
+}
+
+/// Whether the layers darken the wall beside the screen, and not in the open; says by how much.
+bool plausible(const pictures& made) {
+    const auto say = [&](const char* place, float x) {
+        const float front = picture::mean_around(made.front, projection, x, 0, 5);
+        const float layers = picture::mean_around(made.with_layers, projection, x, 0, 5);
+        std::cout << "visibility of the wall " << place << ": " << front << " by the front layer, " << layers
+                  << " with what the screen hides, darker by " << front - layers << '\n';
+        return front - layers;
+    };
+    const float beside = say("beside the screen", 1.25f), open = say("in the open", 3);
+    return beside > 0.05f && std::abs(open) < 0.01f;
+}
+
+}
+
+/// @param arguments  optionally the path of a PGM picture to write
+int main(int count, char** arguments) {
+    try {
+        renderer gpu({.fragmentStoresAndAtomics = layered::features.fragment_stores_and_atomics,
+                      .shaderStorageImageExtendedFormats = layered::features.extended_storage_formats});
+        const pictures made = render(gpu);
+        if (count > 1 && !picture::write_pgm(arguments[1], made.with_layers, true))
+            throw std::runtime_error("cannot write " + std::string(arguments[1]));
+        if (!plausible(made))
+            throw std::runtime_error(
+                "the layers should darken the wall by 0.05 beside the screen and nowhere "
+                "else: see that the capture is cleared, drawn and waited for");
+        return 0;
+    } catch (const std::exception& failure) {
+        std::cerr << "capture_host: " << failure.what() << '\n';
+        return 1;
+    }
+}

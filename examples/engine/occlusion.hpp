@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "renderer.hpp"
+
+#include <crease/crease.hpp>
+#include <crease/spirv.hpp>
+
+/// What the engine adds to its renderer to run an effect of crease: compute passes over texels, without
+/// multisampled images and history.
+class occlusion {
+public:
+    /// @param depth  the engine's own, as large as the picture
+    occlusion(renderer& on, const crease::effect_view& effect, const crease::parameters& values, image& depth)
+        : gpu_(on), effect_(effect),
+          parameters_(on.make_buffer(sizeof values, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT)) {
+        std::memcpy(parameters_.bytes, &values, sizeof values);
+        const VkSamplerCreateInfo nearest{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
+                                          .addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
+                                          .addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE};
+        sampler_ = on.make<VkSampler>(vkCreateSampler, nearest, vkDestroySampler);
+        for (const crease::resource& r : effect.resources)
+            images_.push_back(r.texels == crease::format::none    ? nullptr // the block of parameters
+                              : r.life == crease::lifetime::input ? &depth
+                                                                  : &make_image(r, depth.size));
+        for (const crease::pass& each : effect.passes)
+            passes_.push_back(prepare(each));
+    }
+
+    /// What a pipeline binds.
+    struct bound {
+        VkPipelineLayout layout;
+        VkDescriptorSet set;
+    };
+
+    /// @param push  constants of the engine's own, beside what crease asks for
+    bound bind(std::span<const crease::binding> bindings, VkShaderStageFlags stage,
+               std::span<const VkPushConstantRange> push = {}) {
+        const VkDescriptorSetLayout set_layout = make_set_layout(bindings, stage);
+        const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                                              .setLayoutCount = 1,
+                                              .pSetLayouts = &set_layout,
+                                              .pushConstantRangeCount =
+                                                  static_cast<std::uint32_t>(push.size()),
+                                              .pPushConstantRanges = push.data()};
+        return {gpu_.make<VkPipelineLayout>(vkCreatePipelineLayout, info, vkDestroyPipelineLayout),
+                make_set(bindings, set_layout)};
+    }
+
+    /// Makes the images ready for a shader that binds them.
+    void make_ready(VkCommandBuffer commands, std::span<const crease::binding> bindings,
+                    VkPipelineStageFlags stage) {
+        for (const crease::binding& b : bindings)
+            if (b.how == crease::access::sample)
+                images_[b.resource]->change(commands, {layout_of(b.how), stage, VK_ACCESS_SHADER_READ_BIT});
+            else if (b.how != crease::access::uniform)
+                images_[b.resource]->change(
+                    commands,
+                    {layout_of(b.how), stage, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT});
+    }
+
+    /// Clears what a capture fills, as its resource says.
+    void clear(VkCommandBuffer commands, const crease::capture& filling) {
+        const unsigned filled = filling.bindings.back().resource;
+        const std::uint32_t each = effect_.resources[filled].clear;
+        const VkClearColorValue value{.uint32 = {each, each, each, each}};
+        image& target = *images_[filled];
+        target.change(commands, copy_target);
+        vkCmdClearColorImage(commands, target.handle, copy_target.layout, &value, 1, &target.range);
+    }
+
+    /// Runs all passes.
+    void record(VkCommandBuffer commands) {
+        for (std::size_t i = 0; i < passes_.size(); ++i) {
+            const crease::pass& pass = effect_.passes[i];
+            make_ready(commands, pass.bindings, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT);
+            vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, passes_[i].pipeline);
+            vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, passes_[i].bindings.layout, 0,
+                                    1, &passes_[i].bindings.set, 0, nullptr);
+            const VkExtent3D size = images_[pass.bindings.back().resource]->size;
+            vkCmdDispatch(commands, (size.width + pass.group_width() - 1) / pass.group_width(),
+                          (size.height + pass.group_height() - 1) / pass.group_height(), 1);
+        }
+    }
+
+    /// The last resource, which the last pass writes.
+    image& visibility() { return *images_.back(); }
+
+private:
+    struct prepared {
+        bound bindings;
+        VkPipeline pipeline;
+    };
+
+    image& make_image(const crease::resource& of, VkExtent3D picture) {
+        constexpr VkFormat formats[] = {
+            VK_FORMAT_UNDEFINED,           VK_FORMAT_R8_UNORM,           VK_FORMAT_R32_UINT,
+            VK_FORMAT_R32G32_UINT,         VK_FORMAT_R32_SFLOAT,         VK_FORMAT_R32G32_SFLOAT,
+            VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_R32G32B32A32_SFLOAT};
+        const VkExtent2D size{of.size.width_of(picture.width), of.size.height_of(picture.height)};
+        image& made = gpu_.make_image(size, formats[static_cast<unsigned>(of.texels)],
+                                      VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                                          VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                                      VK_IMAGE_ASPECT_COLOR_BIT, of.arrayed ? of.layers : 0);
+        if (of.life == crease::lifetime::constant) {
+            std::vector<std::uint32_t> texels(size.width * size.height);
+            of.fill(texels, of.count);
+            gpu_.upload(made, std::as_bytes(std::span(texels)));
+        }
+        return made;
+    }
+
+    prepared prepare(const crease::pass& of) {
+        const bound bindings = bind(of.bindings, VK_SHADER_STAGE_COMPUTE_BIT);
+        const VkComputePipelineCreateInfo info{
+            .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+            .stage = gpu_.make_shader(VK_SHADER_STAGE_COMPUTE_BIT, crease::spirv::compile(of)),
+            .layout = bindings.layout};
+        const auto create = [](VkDevice device, const VkComputePipelineCreateInfo* one,
+                               const VkAllocationCallbacks* by, VkPipeline* made) {
+            return vkCreateComputePipelines(device, VK_NULL_HANDLE, 1, one, by, made);
+        };
+        return {bindings, gpu_.make<VkPipeline>(create, info, vkDestroyPipeline)};
+    }
+
+    static VkDescriptorType type_of(crease::access how) {
+        return how == crease::access::uniform  ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
+               : how == crease::access::sample ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
+                                               : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    }
+
+    static VkImageLayout layout_of(crease::access how) {
+        return how == crease::access::sample ? VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL
+                                             : VK_IMAGE_LAYOUT_GENERAL;
+    }
+
+    VkDescriptorSetLayout make_set_layout(std::span<const crease::binding> of, VkShaderStageFlags stage) {
+        std::vector<VkDescriptorSetLayoutBinding> bindings;
+        for (const crease::binding& b : of)
+            bindings.push_back({b.slot, type_of(b.how), 1, stage, nullptr});
+        const VkDescriptorSetLayoutCreateInfo info{
+            .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+            .bindingCount = static_cast<std::uint32_t>(bindings.size()),
+            .pBindings = bindings.data()};
+        return gpu_.make<VkDescriptorSetLayout>(vkCreateDescriptorSetLayout, info,
+                                                vkDestroyDescriptorSetLayout);
+    }
+
+    VkDescriptorSet make_set(std::span<const crease::binding> of, VkDescriptorSetLayout layout) {
+        std::vector<VkDescriptorPoolSize> sizes;
+        for (const crease::binding& b : of)
+            sizes.push_back({type_of(b.how), 1});
+        const VkDescriptorPoolCreateInfo pool_info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
+                                                   .maxSets = 1,
+                                                   .poolSizeCount = static_cast<std::uint32_t>(sizes.size()),
+                                                   .pPoolSizes = sizes.data()};
+        const auto pool =
+            gpu_.make<VkDescriptorPool>(vkCreateDescriptorPool, pool_info, vkDestroyDescriptorPool);
+        const VkDescriptorSetAllocateInfo info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
+                                               .descriptorPool = pool,
+                                               .descriptorSetCount = 1,
+                                               .pSetLayouts = &layout};
+        VkDescriptorSet set;
+        renderer::check(vkAllocateDescriptorSets(gpu_.device(), &info, &set), "allocating a descriptor set");
+
+        const VkDescriptorBufferInfo block{parameters_.handle, 0, sizeof(crease::parameters)};
+        for (const crease::binding& b : of) {
+            const VkDescriptorImageInfo texels{
+                sampler_, images_[b.resource] ? images_[b.resource]->view : VK_NULL_HANDLE, layout_of(b.how)};
+            const VkWriteDescriptorSet write{.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                                             .dstSet = set,
+                                             .dstBinding = b.slot,
+                                             .descriptorCount = 1,
+                                             .descriptorType = type_of(b.how),
+                                             .pImageInfo = &texels,
+                                             .pBufferInfo = &block};
+            vkUpdateDescriptorSets(gpu_.device(), 1, &write, 0, nullptr);
+        }
+        return set;
+    }
+
+    renderer& gpu_;
+    crease::effect_view effect_;
+    renderer::mapped_buffer parameters_;
+    VkSampler sampler_{};
+    std::vector<image*> images_; // by resource
+    std::vector<prepared> passes_;
+};
