@@ -363,7 +363,7 @@ void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiv
 const int crease_batch = 4; // taps whose layers are fetched before any is weighed, so that the waits overlap
 // No loop is left where it is short, as a loop costs some drivers dearly: up to so many taps of a direction, and so
 // many layers of all taps.
-const int crease_written_out = 8, crease_all_written_out = 64;
+const int crease_written_out = 8, crease_all_written_out = 128;
 
 void crease_take(inout crease_estimate estimate, inout crease_gathered gathered, inout crease_pattern pattern,
                  crease_receiver receiver, int first, int count) {
