@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <memory>
 #include <random>
 
@@ -26,13 +27,15 @@ struct rendered {
     std::vector<float> visibility, tables, range;
 };
 
-rendered render(const oracle::picture& p, const std::string& text, double radius) {
+rendered render(const oracle::picture& p, const std::string& text, double radius,
+                const std::map<std::string, int>& constants = {}) {
     const crease::recipe chosen{std::string_view(text)};
     REQUIRE_MESSAGE(static_cast<bool>(chosen), chosen.error());
     rendered r{std::make_unique<crease::composition>(chosen), {}, {}, {}, {}};
     r.how = oracle::view_parameters(p, r.composed->view(), radius);
     crease::vulkan::runner runner(oracle::device(), r.composed->view(), static_cast<unsigned>(p.width),
-                                  static_cast<unsigned>(p.height));
+                                  static_cast<unsigned>(p.height),
+                                  {.guard = 0, .constants = constants, .shaders = {}});
     std::vector<float> normals;
     for (const glm::vec3& n : p.normals)
         normals.insert(normals.end(), {n.x, n.y, n.z, 0.0f});
@@ -102,14 +105,15 @@ oracle::picture huge_picture(bool leaning) {
 }
 
 TEST_CASE("tables hold the sums of all texels before, at any size") {
-    const auto check = [](const oracle::picture& p, int divisor, const std::string& scan) {
+    const auto check = [](const oracle::picture& p, int divisor, const std::string& scan,
+                          const std::map<std::string, int>& constants = {}) {
         CAPTURE(p.width);
         CAPTURE(p.height);
         CAPTURE(divisor);
         CAPTURE(scan);
         const rendered r = render(
             p, "sample_box/summed_area:" + std::to_string(divisor) + "/mean_height/" + scan + "/linear_depth",
-            0.5);
+            0.5, constants);
         const oracle::area_texels t = oracle::downsample(p, divisor);
         REQUIRE(r.tables.size() == 4 * t.texels.size());
         const std::vector<glm::dvec4> expected = summed(t);
@@ -137,6 +141,10 @@ TEST_CASE("tables hold the sums of all texels before, at any size") {
                 check(oracle::draw(oracle::still_life(), lens::standard, size.x, size.y), divisor, scan);
     for (const char* scan : {"work_efficient_scan", "subgroup_scan"})
         check(huge_picture(true), 1, scan);
+    // Lines of more pieces than a subgroup has invocations.
+    for (const char* scan : {"work_efficient_scan", "subgroup_scan"})
+        check(oracle::draw(oracle::still_life(), lens::standard, 97, 61), 1, scan,
+              {{"compute.width", 32}, {"compute.height", 32}});
 }
 
 TEST_CASE("the range of the picture is that of its depths, and none of background alone") {

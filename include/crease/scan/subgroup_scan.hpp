@@ -10,7 +10,8 @@ inline constexpr glsl_file subgroup_scan_glsl{
 #include <crease/scan/subgroup_scan.glsl>
 };
 
-/// Scan: by subgroup operations, where the device has them.
+/// Scan: by subgroup operations, where the device has them. Takes all subgroups of a workgroup to be full, as
+/// lavapipe's are where the workgroup's width is a multiple of 8. No GPU has run it yet.
 struct subgroup_scan {
     static constexpr part description{
         .kind = role::scan,

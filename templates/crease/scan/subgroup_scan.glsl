@@ -3,7 +3,8 @@ R"glsl("
 #endif
 // SPDX-License-Identifier: MIT
 // A scan by the device's own: the sums of all lines stand one after another, whatever the invocations' places, and each
-// subgroup scans its share of them. It may hold several lines, which it takes one by one, or a part of one.
+// subgroup, of which all are full, scans its share of them. It may hold several lines, which it takes one by one, or a
+// part of one.
 shared vec4 crease_scan_sums[gl_WorkGroupSize.x * gl_WorkGroupSize.y];
 shared vec4 crease_scan_shares[gl_WorkGroupSize.x * gl_WorkGroupSize.y]; // of each subgroup
 
