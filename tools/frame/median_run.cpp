@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/median_run.hpp"
 
-#include <algorithm>
+#include "measure/median.hpp"
 
 namespace crease::tools {
 
@@ -14,9 +14,7 @@ double median_run(vulkan::runner& runner, unsigned repeats) {
             all += each.milliseconds;
         times.push_back(all);
     }
-    const auto half = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-    std::nth_element(times.begin(), half, times.end());
-    return *half;
+    return median(times);
 }
 
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/frame.hpp"
 
+#include "measure/median.hpp"
+
 #include <crease/second_camera.hpp>
 
 #include <glm/gtc/type_ptr.hpp>
@@ -58,10 +60,8 @@ void place_second(parameters& how, const gbuffer& inputs, const frame_options& o
         std::copy_n(glm::value_ptr(turn), 16, how.second_from_first);
         return;
     }
-    std::vector<float> depths = inputs.depth.texels;
-    const auto half = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-    std::nth_element(depths.begin(), half, depths.end());
-    place_second_camera(how, *half / 4, *half / 4, *half);
+    const float middle = median(inputs.depth.texels);
+    place_second_camera(how, middle / 4, middle / 4, middle);
 }
 
 /// How the camera of a capture draws: of the second at the size of what it fills.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/frame.hpp"
 
-#include <algorithm>
+#include "measure/median.hpp"
 
 namespace crease::tools {
 
@@ -15,9 +15,7 @@ std::vector<vulkan::pass_time> medians(const std::vector<frame_times>& turns,
         std::vector<double> times;
         for (const frame_times& turn : turns)
             times.push_back((turn.*which)[p].milliseconds);
-        const auto half = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-        std::nth_element(times.begin(), half, times.end());
-        middle[p].milliseconds = *half;
+        middle[p].milliseconds = median(times);
     }
     return middle;
 }
