@@ -20,37 +20,19 @@ using kind = oracle::surface::kind;
 
 constexpr double one_step = 1.0 / 255;
 
-/// An effect that has run on a picture.
+/// What an effect that has run on a picture leaves.
 struct rendered {
-    std::unique_ptr<crease::composition> composed;
     crease::parameters how;
     std::vector<float> visibility, tables, range;
 };
 
 rendered render(const oracle::picture& p, const std::string& text, double radius,
                 const std::map<std::string, int>& constants = {}) {
-    const crease::recipe chosen{std::string_view(text)};
-    REQUIRE_MESSAGE(static_cast<bool>(chosen), chosen.error());
-    rendered r{std::make_unique<crease::composition>(chosen), {}, {}, {}, {}};
-    r.how = oracle::view_parameters(p, r.composed->view(), radius);
-    crease::vulkan::runner runner(oracle::device(), r.composed->view(), static_cast<unsigned>(p.width),
-                                  static_cast<unsigned>(p.height),
-                                  {.guard = 0, .constants = constants, .shaders = {}});
-    std::vector<float> normals;
-    for (const glm::vec3& n : p.normals)
-        normals.insert(normals.end(), {n.x, n.y, n.z, 0.0f});
-    std::vector<float> depth = p.device;
-    if (text.ends_with("/linear_depth"))
-        for (int y = 0; y < p.height; ++y)
-            for (int x = 0; x < p.width; ++x)
-                depth[p.index(x, y)] = p.background(x, y) ? 1e9f : static_cast<float>(-p.position(x, y).z);
-    runner.upload("depth", depth);
-    runner.upload("normal", normals);
-    runner.run(r.how);
-    r.visibility = runner.download("visibility");
-    r.tables = runner.download("area_tables");
-    r.range = runner.download("range");
-    return r;
+    auto& [composed, runner] = oracle::prepare(text, p, constants);
+    const crease::parameters how = oracle::view_parameters(p, composed, radius);
+    oracle::upload(runner, composed, p);
+    runner.run(how);
+    return {how, runner.download("visibility"), runner.download("area_tables"), runner.download("range")};
 }
 
 /// The sums of a layer of a recipe's tables, with the centring undone: `before(x, y)` is exclusive.

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <stdexcept>
+#include <tuple>
 
 namespace oracle {
 
@@ -23,10 +26,29 @@ crease::parameters view_parameters(const picture& p, const crease::effect_view& 
     return how;
 }
 
-std::vector<float> run(const picture& p, const crease::effect_view& effect, const crease::parameters& how,
-                       std::string_view image) {
-    crease::vulkan::runner runner(device(), effect, static_cast<unsigned>(p.width),
-                                  static_cast<unsigned>(p.height));
+prepared::prepared(const crease::recipe& of, const picture& p, const std::map<std::string, int>& constants)
+    : composed(of),
+      runner(device(), composed, static_cast<unsigned>(p.width), static_cast<unsigned>(p.height),
+             {.guard = 0, .constants = constants, .shaders = {}}) {}
+
+prepared& prepare(const std::string& recipe_text, const picture& p,
+                  const std::map<std::string, int>& constants) {
+    using key = std::tuple<std::string, int, int, std::map<std::string, int>>;
+    static_cast<void>(device()); // made first, so that it is destroyed last
+    static std::map<key, std::unique_ptr<prepared>> kept;
+    const auto there = kept.find({recipe_text, p.width, p.height, constants});
+    if (there != kept.end())
+        return *there->second;
+    const crease::recipe chosen{std::string_view(recipe_text)};
+    if (!chosen)
+        throw std::invalid_argument(std::string(chosen.error()));
+    if (kept.size() == 64)
+        kept.clear();
+    return *(kept[{recipe_text, p.width, p.height, constants}] =
+                 std::make_unique<prepared>(chosen, p, constants));
+}
+
+void upload(crease::vulkan::runner& runner, const crease::effect_view& effect, const picture& p) {
     for (const crease::resource& input : effect.resources) {
         if (input.name == "depth") {
             std::vector<float> depth = p.device;
@@ -43,14 +65,22 @@ std::vector<float> run(const picture& p, const crease::effect_view& effect, cons
             runner.upload("normal", normals);
         }
     }
+}
+
+std::vector<float> run(const picture& p, const crease::effect_view& effect, const crease::parameters& how,
+                       std::string_view image) {
+    crease::vulkan::runner runner(device(), effect, static_cast<unsigned>(p.width),
+                                  static_cast<unsigned>(p.height));
+    upload(runner, effect, p);
     runner.run(how);
     return runner.download(image);
 }
 
 std::vector<float> run(const picture& p, const std::string& recipe_text, double radius) {
-    const crease::recipe chosen{std::string_view(recipe_text)};
-    const auto composed = std::make_unique<crease::composition>(chosen);
-    return run(p, composed->view(), view_parameters(p, composed->view(), radius));
+    auto& [composed, runner] = prepare(recipe_text, p);
+    upload(runner, composed, p);
+    runner.run(view_parameters(p, composed, radius));
+    return runner.download("visibility");
 }
 
 settings settings_of(const crease::parameters& how) {

@@ -6,6 +6,7 @@
 #include <crease/crease.hpp>
 #include <crease/vulkan.hpp>
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,22 @@ crease::vulkan::device& device();
 
 /// Parameters for a picture, with an effect's defaults.
 crease::parameters view_parameters(const picture& p, const crease::effect_view& effect, double radius);
+
+/// The effect of a recipe, and what runs it on pictures of one size.
+struct prepared {
+    crease::composition composed;
+    crease::vulkan::runner runner;
+
+    prepared(const crease::recipe& of, const picture& p, const std::map<std::string, int>& constants);
+};
+
+/// The same object for the same arguments, until many others have been asked for, as a driver takes longer to
+/// compile an effect than to run it on a small picture.
+prepared& prepare(const std::string& recipe_text, const picture& p,
+                  const std::map<std::string, int>& constants = {});
+
+/// Fills the inputs of an effect that are in a picture.
+void upload(crease::vulkan::runner& runner, const crease::effect_view& effect, const picture& p);
 
 /// The image, else the visibility, that an effect gives for a picture, row by row.
 std::vector<float> run(const picture& p, const crease::effect_view& effect, const crease::parameters& how,
