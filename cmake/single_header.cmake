@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Joins include/crease/crease.hpp and all that it includes, the GLSL too, into OUTPUT: each file once, in the order in
+# Joins the pure headers and all that they include, the GLSL too, into OUTPUT: each file once, in the order in
 # which a compiler meets it.
 cmake_minimum_required(VERSION 3.25)
 
@@ -37,5 +37,6 @@ endfunction()
 
 append("// SPDX-License-Identifier: MIT\n#pragma once\n")
 append_header(crease/crease.hpp)
+append_header(crease/second_camera.hpp)
 get_property(body GLOBAL PROPERTY body)
 file(WRITE ${OUTPUT} "${body}")

@@ -6,6 +6,8 @@
 #include <crease/crease.hpp>
 #include <crease/spirv.hpp>
 
+#include <span>
+
 /// What the engine adds to its renderer to run an effect of crease: compute passes over texels, without
 /// multisampled images and history.
 class occlusion {

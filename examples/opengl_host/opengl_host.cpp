@@ -7,6 +7,7 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
+#include <span>
 #include <stdexcept>
 
 using ao = crease::effect<crease::directions<8, 4>, crease::single_layer, crease::hbao, crease::bilateral<>,

@@ -3,6 +3,8 @@
 #include "corner.hpp"
 #include "occlusion.hpp"
 
+#include <span>
+
 using ao = crease::effect<crease::directions<8, 4>, crease::single_layer, crease::hbao,
                           crease::reconstructed_normals>;
 

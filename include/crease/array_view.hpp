@@ -5,8 +5,8 @@
 
 namespace crease {
 
-/// A view of an array with static storage: what a part's description lists. A `std::span` costs a compiler
-/// milliseconds for each type and length of array that it is made of.
+/// A view of an array that outlives it; a std::span is made of one where a host wants that. A `std::span`
+/// costs a compiler milliseconds for each type and length of array that it is made of.
 template <class Item>
 struct array_view {
     Item* items = nullptr;
@@ -16,6 +16,10 @@ struct array_view {
     constexpr array_view(Item* first, std::size_t how_many) : items(first), count(how_many) {}
     template <std::size_t Count>
     constexpr array_view(Item (&all)[Count]) : items(all), count(Count) {}
+    /// Of a list with `data()` and `size()`: a std::array, std::vector or std::span.
+    template <class List>
+    requires requires(List& all) { static_cast<Item*>(all.data()); }
+    constexpr array_view(List& all) : items(all.data()), count(all.size()) {}
 
     constexpr Item* begin() const { return items; }
     constexpr Item* end() const { return items + count; }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <crease/array_view.hpp>
 #include <crease/defaults.hpp>
 #include <crease/fixed_list.hpp>
 #include <crease/part.hpp>
 
 #include <cstddef>
-#include <span>
 #include <string_view>
 
 namespace crease {
@@ -93,7 +93,7 @@ constexpr bool takes_full_size(const choice& c) {
 }
 
 /// Whether no later filter, nor this one, makes the picture larger than the input of `choices[at]`.
-constexpr bool input_is_full_size(std::span<const choice> choices, std::size_t at) {
+constexpr bool input_is_full_size(array_view<const choice> choices, std::size_t at) {
     for (std::size_t i = at; i < choices.size(); ++i)
         if (upsampling_of(choices[i]) != 1)
             return false;
@@ -103,7 +103,7 @@ constexpr bool input_is_full_size(std::span<const choice> choices, std::size_t a
 }
 
 /// Checks parts chosen at run time by the same rules as `effect` does at compile time.
-constexpr refusal check(std::span<const choice> choices) {
+constexpr refusal check(array_view<const choice> choices) {
     if (choices.size() > most_chosen)
         return {rules::few_enough, choices[most_chosen].what->name};
     constexpr role first_three[] = {role::sampler, role::depth_source, role::estimator};
@@ -134,7 +134,7 @@ constexpr refusal check(std::span<const choice> choices) {
 }
 
 /// Adds the default part of each role that only has to be named where it differs.
-constexpr choice_list complete(std::span<const choice> choices) {
+constexpr choice_list complete(array_view<const choice> choices) {
     choice_list all;
     for (const choice& c : choices)
         all.add(c);

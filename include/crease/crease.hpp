@@ -4,4 +4,3 @@
 #include <crease/effect.hpp>
 #include <crease/parts.hpp>
 #include <crease/recipe.hpp>
-#include <crease/second_camera.hpp>

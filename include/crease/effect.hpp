@@ -12,7 +12,7 @@
 namespace crease {
 
 /// The parameters with each part's recommended settings, and no view yet.
-constexpr parameters default_parameters(std::span<const choice> choices) {
+constexpr parameters default_parameters(array_view<const choice> choices) {
     parameters p;
     for (const choice& c : choices)
         for (const setting& s : c.what->settings)
@@ -227,8 +227,7 @@ public:
     static constexpr device_features features = required_features(planned);
 
     /// The settings as the parts recommend them; the host adds the view (`set_projection`) and the radius.
-    static constexpr parameters defaults =
-        default_parameters({planned.choices.data(), planned.choices.size()});
+    static constexpr parameters defaults = default_parameters(planned.choices);
 
     /// The whole text of a pass, NUL-terminated, with static storage; made only where it is named. Its
     /// characters are read at run time, as they are kept in words; constant expressions read `pieces`.

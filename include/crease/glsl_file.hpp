@@ -16,14 +16,15 @@ struct glsl_file {
     unsigned first_line = 1; ///< line of the file at which `text` begins
 
     constexpr glsl_file() = default;
-    // A compiler knows the length of a literal, and std::string_view counts it character by character.
+    /// Text without a fence.
+    constexpr glsl_file(std::string_view file, std::string_view glsl) : name(file), text(glsl) {}
+    /// A literal: a file that was included, with its fence, or GLSL without one.
+    // A compiler knows the length of a literal; anything else it counts and compares character by character.
     constexpr glsl_file(std::string_view file, const char* literal)
-        : glsl_file(file, std::string_view(literal, __builtin_strlen(literal))) {}
-    constexpr glsl_file(std::string_view file, std::string_view glsl) : name(file), text(glsl) {
-        constexpr std::string_view opening = "\"\n#endif\n", closing = "#ifdef __cplusplus\n\"";
-        if (text.starts_with(opening) && text.ends_with(closing)) {
-            text.remove_prefix(opening.size());
-            text.remove_suffix(closing.size());
+        : name(file), text(literal, __builtin_strlen(literal)) {
+        constexpr std::size_t opening = 9, closing = 20; // of the fence within the quotes
+        if (literal[0] == '"') {                         // GLSL has none
+            text = {literal + opening, text.size() - opening - closing};
             first_line = 4;
         }
     }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <crease/array_view.hpp>
 #include <crease/glsl_file.hpp>
 #include <crease/parameters.hpp>
 #include <crease/resource.hpp>
-
-#include <span>
 
 namespace crease {
 
@@ -54,10 +53,10 @@ struct pass {
     std::string_view name; ///< e.g. "visibility", "bilateral_x"
     stage_kind stage = stage_kind::compute;
     dialect_kind dialect = dialect_kind::vulkan;
-    std::span<const piece> pieces;        ///< in order; joined they are the GLSL program
-    std::span<const piece> vertex_pieces; ///< the vertex shader of a fragment pass; empty otherwise
-    std::span<const binding> bindings;    ///< the first is the block of parameters, the last are the outputs
-    std::span<const constant>
+    array_view<const piece> pieces;        ///< in order; joined they are the GLSL program
+    array_view<const piece> vertex_pieces; ///< the vertex shader of a fragment pass; empty otherwise
+    array_view<const binding> bindings;    ///< the first is the block of parameters, the last are the outputs
+    array_view<const constant>
         constants; ///< of a compute pass the first two are the workgroup's width and height
     extent size;   ///< of the outputs
     dispatch covers = dispatch::texels;
@@ -77,9 +76,9 @@ struct pass {
 struct capture {
     std::string_view name; ///< e.g. "layers"
     dialect_kind dialect = dialect_kind::vulkan;
-    std::span<const piece> pieces;     ///< GLSL without `main`: `void crease_capture(vec3 anchor)`
-    std::span<const binding> bindings; ///< the first is the block of parameters; the last is what it fills
-    std::span<const constant> constants;
+    array_view<const piece> pieces;     ///< GLSL without `main`: `void crease_capture(vec3 anchor)`
+    array_view<const binding> bindings; ///< the first is the block of parameters; the last is what it fills
+    array_view<const constant> constants;
     extent size; ///< of what it fills
 
     /// Whether it fills a multisampled depth attachment, with the host's depth test and clear value, whose
@@ -119,9 +118,9 @@ struct device_features {
 /// An effect as data, whether it was composed at compile time or at run time: all a renderer needs to run it.
 /// Views static storage, or that of the `composition` it came from.
 struct effect_view {
-    std::span<const capture> captures;   ///< what the host's geometry pass fills first; empty for most
-    std::span<const pass> passes;        ///< in the order of execution
-    std::span<const resource> resources; ///< resource 0 is the block of parameters; the outputs come last
+    array_view<const capture> captures;   ///< what the host's geometry pass fills first; empty for most
+    array_view<const pass> passes;        ///< in the order of execution
+    array_view<const resource> resources; ///< resource 0 is the block of parameters; the outputs come last
     device_features features;
     parameters defaults; ///< the settings as the parts recommend them; no view in it yet
 };

@@ -221,7 +221,7 @@ constexpr void connect_chain(plan& p, std::size_t first) {
 }
 
 /// Plans the effect of parts that `check` accepts.
-constexpr plan make_plan(std::span<const choice> choices) {
+constexpr plan make_plan(array_view<const choice> choices) {
     plan p{.choices = complete(choices), .captures = {}, .passes = {}, .resources = {}};
     p.resources.add({.name = "parameters"});
     const choice& source = p.chosen(role::depth_source);

@@ -17,7 +17,7 @@ namespace crease {
 class recipe {
 public:
     /// The same choices as values, in the same order.
-    constexpr recipe(std::span<const choice> choices) {
+    constexpr recipe(array_view<const choice> choices) {
         for (const choice& c : choices)
             if (!choices_.full())
                 choices_.add(c);
@@ -25,7 +25,7 @@ public:
     }
 
     /// From text. `known` are the parts that it may name: a host adds its own to `all_parts`.
-    constexpr recipe(std::string_view text, std::span<const part* const> known = all_parts) {
+    constexpr recipe(std::string_view text, array_view<const part* const> known = all_parts) {
         while (error_.count == 0) {
             const std::size_t slash = text.find('/');
             read_part(text.substr(0, slash), known);
@@ -42,7 +42,7 @@ public:
     /// One sentence that says why not; empty where they do. The same as the static assertion of `effect`.
     constexpr std::string_view error() const { return error_.view(); }
 
-    constexpr std::span<const choice> choices() const { return {choices_.data(), choices_.size()}; }
+    constexpr array_view<const choice> choices() const { return choices_; }
 
     /// The recipe as text, with all numbers.
     constexpr fixed_text<512> text() const {
@@ -65,7 +65,7 @@ private:
         error_ << "crease::recipe: " << sentence << " '" << word.substr(0, 64) << "'";
     }
 
-    constexpr void read_part(std::string_view word, std::span<const part* const> known) {
+    constexpr void read_part(std::string_view word, array_view<const part* const> known) {
         const std::size_t colon = word.find(':');
         const std::string_view name = word.substr(0, colon);
         const part* found = nullptr;
@@ -135,18 +135,12 @@ public:
             passes_.add(described<pass>(planned, each));
         resources_ = planned.resources;
         features_ = required_features(planned);
-        defaults_ = default_parameters({planned.choices.data(), planned.choices.size()});
+        defaults_ = default_parameters(planned.choices);
     }
     composition(const composition&) = delete;
     composition& operator=(const composition&) = delete;
 
-    effect_view view() const {
-        return {{captures_.data(), captures_.size()},
-                {passes_.data(), passes_.size()},
-                {resources_.data(), resources_.size()},
-                features_,
-                defaults_};
-    }
+    effect_view view() const { return {captures_, passes_, resources_, features_, defaults_}; }
     operator effect_view() const { return view(); }
 
 private:
@@ -171,8 +165,8 @@ private:
             own.pieces[own.piece_count++] = *file;
         Described whole = describe(planned, each);
         whole.pieces = {own.pieces, own.piece_count};
-        whole.bindings = {own.written.bindings.data(), own.written.bindings.size()};
-        whole.constants = {own.written.constants.data(), own.written.constants.size()};
+        whole.bindings = own.written.bindings;
+        whole.constants = own.written.constants;
         return whole;
     }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <crease/array_view.hpp>
+
 #include <cstdint>
-#include <span>
 #include <string_view>
 
 namespace crease {
@@ -124,7 +125,7 @@ struct resource {
     const trait* texels_by = nullptr; ///< of a part's description: the trait whose extra may say the texels
     int divisor_by = -1; ///< of a part's description: index of the depth source's number that is the divisor
                          ///< of the size; -1: that is fixed
-    void (*fill)(std::span<std::uint32_t> texels,
+    void (*fill)(array_view<std::uint32_t> texels,
                  unsigned count) = nullptr; ///< of a constant: its texels, row after row
     unsigned count = 0;                     ///< what `fill` takes: the first number of the depth source
 };

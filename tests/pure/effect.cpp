@@ -47,7 +47,7 @@ bool same(const resource& a, const resource& b) {
 }
 
 template <class Item>
-bool all_same(std::span<const Item> one, std::span<const Item> other) {
+bool all_same(array_view<const Item> one, array_view<const Item> other) {
     return std::ranges::equal(one, other, [](const Item& a, const Item& b) { return same(a, b); });
 }
 
@@ -84,7 +84,7 @@ void check_equal_to(std::string_view text) {
     const effect_view view = composed->view();
     CHECK(view.defaults == fixed::defaults);
     CHECK(view.features == fixed::features);
-    CHECK(all_same(std::span<const resource>(fixed::resources), view.resources));
+    CHECK(all_same<resource>(fixed::resources, view.resources));
     REQUIRE(view.passes.size() == fixed::passes.size());
     for (std::size_t i = 0; i < view.passes.size(); ++i)
         check_equal(fixed::passes[i], view.passes[i]);

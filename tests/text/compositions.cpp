@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <set>
+#include <span>
 
 namespace {
 

@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include <span>
+
 using namespace crease;
 
 namespace {

@@ -8,6 +8,8 @@
 
 #include <doctest/doctest.h>
 
+#include <span>
+
 using namespace crease;
 
 namespace {

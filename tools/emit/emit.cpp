@@ -9,6 +9,7 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <stdexcept>
 
 namespace crease::tools {

@@ -3,6 +3,8 @@
 
 #include <crease/pass.hpp>
 
+#include <span>
+
 namespace crease::tools {
 
 inline constexpr constant groups_of_16[] = {{"compute", "width", 0, 16}, {"compute", "height", 1, 16}};

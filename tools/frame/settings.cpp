@@ -50,7 +50,7 @@ parameters settle(const recipe& chosen, const frame_options& options) {
         throw std::runtime_error(
             fmt::format("the radius is {}; it must be finite and not negative", options.radius));
     const choice_list parts = complete(chosen.choices());
-    parameters settled = default_parameters({parts.data(), parts.size()});
+    parameters settled = default_parameters(parts);
     settled.radius = options.radius;
     settled.frame = options.frame;
     for (const auto& [name, value] : options.settings) {

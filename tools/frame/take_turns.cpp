@@ -3,6 +3,8 @@
 
 #include "measure/median.hpp"
 
+#include <span>
+
 namespace crease::tools {
 
 namespace {

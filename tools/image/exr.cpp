@@ -10,6 +10,8 @@
 #include <ImfStdIO.h>
 #include <fmt/format.h>
 
+#include <span>
+
 namespace crease::tools {
 namespace {
 

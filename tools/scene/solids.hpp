@@ -5,6 +5,8 @@
 
 #include <glm/vec2.hpp>
 
+#include <span>
+
 namespace crease::tools {
 
 // Each adds one closed solid to a mesh, its corners moved by `place`.

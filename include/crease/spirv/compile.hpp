@@ -5,6 +5,8 @@
 
 #include <glslang/SPIRV/GlslangToSpv.h>
 
+#include <span>
+
 namespace crease::spirv {
 
 /// Compiles one stage of Vulkan GLSL to SPIR-V 1.3 for Vulkan 1.1, not optimised.

@@ -3,6 +3,8 @@
 
 #include <crease/spirv/validate.hpp>
 
+#include <span>
+
 namespace crease::spirv {
 
 /// The module as SPIR-V assembly, with the names that it holds.

@@ -5,6 +5,8 @@
 
 #include <spirv-tools/optimizer.hpp>
 
+#include <span>
+
 namespace crease::spirv {
 
 /// What a module is optimised for.

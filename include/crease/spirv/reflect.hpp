@@ -5,6 +5,7 @@
 #include <crease/spirv/reflection.hpp>
 
 #include <algorithm>
+#include <span>
 #include <tuple>
 
 namespace crease::spirv::detail {

@@ -4,6 +4,8 @@
 #include <crease/vulkan/buffer.hpp>
 #include <crease/vulkan/image.hpp>
 
+#include <span>
+
 namespace crease::vulkan::detail {
 
 inline std::size_t bytes_in(const image& of) {

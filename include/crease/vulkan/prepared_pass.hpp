@@ -6,6 +6,7 @@
 #include <crease/vulkan/shaders.hpp>
 
 #include <memory>
+#include <span>
 
 namespace crease::vulkan::detail {
 
