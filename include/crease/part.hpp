@@ -61,7 +61,7 @@ struct setting {
 /// Something that one part needs and another offers: a kind of tap, an attribute of a layer. See
 /// CREASE_TRAIT.
 struct trait {
-    role from;                 ///< who must offer it: the sampler, the depth source or the estimator
+    role from;                 ///< who must offer it
     std::string_view sentence; ///< why an effect without it is refused
 };
 
@@ -143,8 +143,9 @@ struct part {
     array_view<const resource> intermediates{}; ///< what only its steps read and write
     array_view<const step>
         steps{}; ///< a depth encoding's and a depth source's before the main pass, a filter's after it
-    const glsl_file* fold = nullptr; ///< how the layers of a tap become one contribution, where there is
-                                     ///< no part of the role; a depth source's comes before an estimator's
+    const glsl_file* fold = nullptr;   ///< how the layers of a tap become one contribution, where there is
+                                       ///< no part of the role; a depth source's comes before an estimator's
+    const glsl_file* gather = nullptr; ///< a fold's: what takes the place of core/gather.glsl
     const glsl_file* packs =
         nullptr; ///< a fold's: which layers it asks of the depth source, for that source's steps
     std::string_view extension{};           ///< of GLSL, that its text needs

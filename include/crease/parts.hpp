@@ -31,6 +31,7 @@
 #include <crease/filter/bilateral.hpp>
 #include <crease/filter/upsample.hpp>
 #include <crease/fold/all_layers.hpp>
+#include <crease/fold/deferred_layers.hpp>
 #include <crease/fold/front_first.hpp>
 #include <crease/noise/hashed_noise.hpp>
 #include <crease/noise/tiled_noise.hpp>
@@ -89,6 +90,7 @@ inline constexpr const part* all_parts[] = {
     &unsharp_mask::description,
     &all_layers::description,
     &front_first_part::description,
+    &deferred_layers_part::description,
     &work_efficient_scan::description,
     &subgroup_scan::description,
     &second_view_part::description,

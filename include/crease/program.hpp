@@ -247,11 +247,13 @@ constexpr program write_evaluate(const plan& p, const planned_pass& pass) {
         to.add_file(&receiver_glsl);
     to.add_files_of(roles);
     if (is_main) {
-        if (!p.find(role::fold)) {
+        const choice* fold = p.find(role::fold);
+        if (!fold) {
             const glsl_file* of_source = p.chosen(role::depth_source).what->fold;
             to.add_file(of_source ? of_source : p.chosen(role::estimator).what->fold);
         }
-        to.add_file(&gather_glsl);
+        to.add_file(fold && fold->what->gather ? fold->what->gather : &gather_glsl);
+        to.add_file(&strength_glsl);
         to.add_file(&receive_glsl);
     }
     if (pass.input >= 0)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace oracle {
 
@@ -159,12 +160,13 @@ double ssao(const picture& p, const receiver& r, const settings& s,
     return points > 0 ? occluded / points : 0;
 }
 
-double hbao(const picture& p, const receiver& r, const settings& s,
-            const std::vector<std::vector<tap>>& taps) {
+double hbao(const picture& p, const receiver& r, const settings& s, const std::vector<std::vector<tap>>& taps,
+            bool fronts_first) {
     double occlusion = 0;
     for (const std::vector<tap>& direction : taps) {
         double horizon_rise = 0; // sin(h) - sin(t) of the highest so far
-        for (const tap& t : direction) {
+        for (std::size_t i = fronts_first ? 0 : direction.size(); i < 2 * direction.size(); ++i) {
+            const tap& t = direction[i % direction.size()];
             // The slice of the marched direction and the eye: the tangent in it, and the normal's part in it.
             const double facing = std::max(glm::dot(r.normal, r.to_eye), 1e-3);
             const double tangent = std::atan2(-glm::dot(r.normal, t.azimuth), facing);
@@ -172,7 +174,9 @@ double hbao(const picture& p, const receiver& r, const settings& s,
             const double biased = std::min(tangent + s.bias, glm::half_pi<double>());
             const double horizon = std::max(horizon_rise, std::sin(biased) - std::sin(tangent));
             double most = 0, highest = horizon_rise; // of the layer that occludes the most
-            for (const glm::dvec3& position : p.positions(t.x, t.y)) {
+            const std::vector<glm::dvec3> layers = p.positions(t.x, t.y);
+            const std::size_t looked_at = i < direction.size() ? 1 : layers.size();
+            for (const glm::dvec3& position : std::span(layers).first(std::min(looked_at, layers.size()))) {
                 const glm::dvec3 v = position - r.position;
                 const double length = glm::length(v);
                 const double over_tangent =

@@ -52,8 +52,9 @@ std::vector<std::vector<tap>> hemisphere_points(const picture& p, const receiver
 /// Occlusion in [0, 1] of a receiver from its taps.
 double ssao(const picture& p, const receiver& r, const settings& s,
             const std::vector<std::vector<tap>>& taps);
-double hbao(const picture& p, const receiver& r, const settings& s,
-            const std::vector<std::vector<tap>>& taps);
+/// @param fronts_first  whether a direction's front layers come before those behind any of them
+double hbao(const picture& p, const receiver& r, const settings& s, const std::vector<std::vector<tap>>& taps,
+            bool fronts_first = false);
 double hbao_plus(const picture& p, const receiver& r, const settings& s,
                  const std::vector<std::vector<tap>>& taps);
 

@@ -25,6 +25,11 @@ inline constexpr glsl_file gather_glsl{
 #include <crease/core/gather.glsl>
 };
 
+inline constexpr glsl_file strength_glsl{
+    "core/strength.glsl",
+#include <crease/core/strength.glsl>
+};
+
 inline constexpr glsl_file receive_glsl{
     "core/receive.glsl",
 #include <crease/core/receive.glsl>

@@ -34,6 +34,7 @@ struct stochastic_layers_part {
                                            .life = lifetime::transient,
                                            .size = {.guarded = true},
                                            .arrayed = true,
+                                           .read = access::load,
                                            .layers_by = {.number = 0, .share = 4},
                                            .texels_of_one = format::r32_float}};
     static constexpr role packing[] = {role::projection, role::depth_encoding, role::layer_carrier};

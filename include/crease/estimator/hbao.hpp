@@ -3,7 +3,7 @@
 
 #include <crease/depth/layers.hpp>
 #include <crease/estimator/bent_turn.hpp>
-#include <crease/fold/front_first.hpp>
+#include <crease/fold/deferred_layers.hpp>
 #include <crease/output/bent_cone.hpp>
 #include <crease/sampler/taps.hpp>
 
@@ -19,6 +19,11 @@ inline constexpr glsl_file hbao_front_glsl{
 #include <crease/estimator/hbao_front.glsl>
 };
 
+inline constexpr glsl_file hbao_deferred_glsl{
+    "estimator/hbao_deferred.glsl",
+#include <crease/estimator/hbao_deferred.glsl>
+};
+
 inline constexpr glsl_file hbao_bent_glsl{
     "estimator/hbao_bent.glsl",
 #include <crease/estimator/hbao_bent.glsl>
@@ -28,6 +33,7 @@ inline constexpr glsl_file hbao_bent_glsl{
 struct hbao {
     using needs = traits<ordered_taps, depth_layers>;
     static constexpr extra more[] = {{&front_test::value, &hbao_front_glsl},
+                                     {&resumption::value, &hbao_deferred_glsl},
                                      {&open_directions::value, &bent_turn_glsl},
                                      {&open_directions::value, &hbao_bent_glsl}};
     static constexpr setting reads[] = {
@@ -45,7 +51,7 @@ struct hbao {
         .glsl = &hbao_glsl,
         .settings = reads,
         .needs = needs::list,
-        .offers = traits<front_test, open_directions>::list,
+        .offers = traits<front_test, resumption, open_directions>::list,
         .extras = more,
         .fold = &fold_max_glsl,
     };

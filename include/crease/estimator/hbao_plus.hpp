@@ -3,7 +3,7 @@
 
 #include <crease/depth/layers.hpp>
 #include <crease/estimator/bent_turn.hpp>
-#include <crease/fold/front_first.hpp>
+#include <crease/fold/deferred_layers.hpp>
 #include <crease/output/bent_cone.hpp>
 #include <crease/sampler/taps.hpp>
 #include <crease/view/second_view.hpp>
@@ -20,6 +20,11 @@ inline constexpr glsl_file hbao_plus_front_glsl{
 #include <crease/estimator/hbao_plus_front.glsl>
 };
 
+inline constexpr glsl_file hbao_plus_deferred_glsl{
+    "estimator/hbao_plus_deferred.glsl",
+#include <crease/estimator/hbao_plus_deferred.glsl>
+};
+
 inline constexpr glsl_file hbao_plus_bent_glsl{
     "estimator/hbao_plus_bent.glsl",
 #include <crease/estimator/hbao_plus_bent.glsl>
@@ -29,6 +34,7 @@ inline constexpr glsl_file hbao_plus_bent_glsl{
 struct hbao_plus {
     using needs = traits<screen_taps, depth_layers>;
     static constexpr extra more[] = {{&front_test::value, &hbao_plus_front_glsl},
+                                     {&resumption::value, &hbao_plus_deferred_glsl},
                                      {&open_directions::value, &bent_turn_glsl},
                                      {&open_directions::value, &hbao_plus_bent_glsl}};
     static constexpr setting reads[] = {
@@ -44,7 +50,7 @@ struct hbao_plus {
         .glsl = &hbao_plus_glsl,
         .settings = reads,
         .needs = needs::list,
-        .offers = traits<front_test, open_directions, any_eye>::list,
+        .offers = traits<front_test, resumption, open_directions, any_eye>::list,
         .extras = more,
         .fold = &fold_max_glsl,
     };

@@ -11,4 +11,8 @@ inline constexpr glsl_file occlusion_alone_glsl{
 #include <crease/output/occlusion_alone.glsl>
 };
 
+/// Takes nothing of single taps.
+CREASE_TRAIT(any_order, output,
+             "the fold comes back to a tap after others, and the output takes taps in order");
+
 }

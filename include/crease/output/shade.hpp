@@ -45,6 +45,7 @@ struct shade_part {
         .glsl = &shade_glsl,
         .helpers = gathered,
         .numbers = takes,
+        .offers = traits<any_order>::list,
         .result = &shade_result_glsl,
         .between = &shade_depth_encoding,
         .final_images = images,

@@ -27,6 +27,7 @@ struct visibility_only {
         .source = "stochastic-depth-ao 2020, 2.2",
         .glsl = &visibility_only_glsl,
         .helpers = gathered,
+        .offers = traits<any_order>::list,
         .result = &visibility_result_glsl,
         .between = &visibility_depth_encoding,
         .final_images = images,

@@ -4,14 +4,13 @@ R"glsl("
 // SPDX-License-Identifier: MIT
 // Each tap looks at all its layers: stochastic-depth-ao 6.2, Algorithms 7, 8 and 9.
 
-int crease_group_count();
 vec4 crease_fetch_group(vec2 texel, int group);
 vec3 crease_view_position(vec2 texel, float depth);
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position);
-crease_contribution crease_fold_layer(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
-                                      crease_contribution most, float depth);
 crease_contribution crease_fold_others(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
                                        crease_contribution most, vec4 depths);
+crease_contribution crease_fold_groups(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                       crease_contribution most, int first, bool look);
 
 // The first group; the others are fetched where they are asked for.
 struct crease_layers {
@@ -25,13 +24,7 @@ crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiv
     vec4 depths = layers.depths;
     crease_contribution most = crease_weigh(estimate, receiver, tap, crease_view_position(tap.texel, depths.x));
     most = crease_fold_others(estimate, receiver, tap, most, depths);
-    crease_unroll for (int group = 1; group < crease_group_count(); ++group)
-        if (depths.w < crease_background) {
-            depths = crease_fetch_group(tap.texel, group);
-            most = crease_fold_layer(estimate, receiver, tap, most, depths.x);
-            most = crease_fold_others(estimate, receiver, tap, most, depths);
-        }
-    return most;
+    return crease_fold_groups(estimate, receiver, tap, most, 1, depths.w < crease_background);
 }
 #ifdef __cplusplus
 ")glsl"

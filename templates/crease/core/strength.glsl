@@ -1,0 +1,11 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// Visibility by strength and exponent: stochastic-depth-ao 8.1.
+float crease_visibility_of(float occlusion) {
+    return pow(clamp(1.0 - occlusion * crease_strength, 0.0, 1.0), crease_exponent);
+}
+#ifdef __cplusplus
+")glsl"
+#endif

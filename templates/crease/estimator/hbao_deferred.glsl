@@ -1,0 +1,25 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// Layers behind the front ones come after all front ones of their direction, and count from its horizon.
+
+void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
+
+void crease_estimate_resume(inout crease_estimate estimate, crease_estimate there) {
+    estimate.horizon = there.horizon;
+    estimate.sin_tangent = there.sin_tangent;
+    estimate.cos_tangent = there.cos_tangent;
+    estimate.steepness = there.steepness;
+}
+
+crease_contribution crease_front_again(crease_estimate estimate, crease_receiver receiver, crease_tap tap) {
+    return crease_contribution(0.0, estimate.horizon); // the horizon is as high as the front surface
+}
+
+void crease_estimate_raise(inout crease_estimate estimate, crease_contribution front, crease_contribution most) {
+    crease_estimate_add(estimate, most);
+}
+#ifdef __cplusplus
+")glsl"
+#endif
