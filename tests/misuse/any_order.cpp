@@ -6,4 +6,5 @@
 
 using namespace crease;
 
-constexpr auto count = effect<directions<>, stochastic_layers<>, hbao, deferred_layers<>, bent_cone>::passes.size();
+constexpr auto count =
+    effect<directions<>, stochastic_layers<>, hbao, deferred_layers<>, bent_cone>::passes.size();

@@ -6,4 +6,5 @@
 
 using namespace crease;
 
-constexpr auto count = effect<poisson_disk<>, stochastic_layers<>, hbao_plus, deferred_layers<>>::passes.size();
+constexpr auto count =
+    effect<poisson_disk<>, stochastic_layers<>, hbao_plus, deferred_layers<>>::passes.size();
