@@ -12,6 +12,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace {
@@ -24,13 +25,6 @@ std::unique_ptr<crease::composition> compose(const std::string& text) {
     const crease::recipe chosen{std::string_view(text)};
     REQUIRE_MESSAGE(static_cast<bool>(chosen), chosen.error());
     return std::make_unique<crease::composition>(chosen);
-}
-
-std::vector<float> four_of(const std::vector<glm::vec3>& normals) {
-    std::vector<float> four;
-    for (const glm::vec3& n : normals)
-        four.insert(four.end(), {n.x, n.y, n.z, 0.0f});
-    return four;
 }
 
 /// What atomic_minimum would hold where the samples share out all layers of a texel in turn.
@@ -54,8 +48,7 @@ std::vector<float> run_with_all(const oracle::picture& p, const crease::effect_v
                                 const crease::parameters& how, unsigned samples) {
     crease::vulkan::runner runner(oracle::device(), effect, static_cast<unsigned>(p.width),
                                   static_cast<unsigned>(p.height));
-    runner.upload("depth", p.device);
-    runner.upload("normal", four_of(p.normals));
+    oracle::upload(runner, effect, p);
     crease::vulkan::upload(oracle::device(), runner.image_of("captured_layers"), share_out(p, samples));
     runner.run(how);
     return runner.download("visibility");
@@ -82,6 +75,21 @@ const std::vector<technique>& techniques() {
          }},
     };
     return all;
+}
+
+/// How a technique's effect over six samples that share out all layers differs from the oracle's.
+/// @param reach  front_reach, radii
+oracle::difference differ(const technique& t, const std::string& parts, lens kind,
+                          std::optional<float> reach = {}) {
+    const oracle::picture p = oracle::draw_all(oracle::still_life(), kind, 97, 61);
+    const auto composed =
+        compose(t.sampler + "/stochastic_layers:6/" + t.estimator + "/atomic_minimum" + parts);
+    crease::parameters how = oracle::view_parameters(p, composed->view(), 0.8);
+    how.front_reach = reach.value_or(how.front_reach);
+    const oracle::settings s = oracle::settings_of(how);
+    const auto expected =
+        oracle::main_pass(p, s, 1, false, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });
+    return oracle::compare(run_with_all(p, composed->view(), how, 6), expected.visibility);
 }
 
 /// Rectangles that fill the picture at these depths, as triangles in view space.
@@ -160,16 +168,7 @@ TEST_CASE("every estimator folds all layers of a tap by the greatest") {
         for (lens kind : {lens::standard, lens::reversed, lens::orthographic}) {
             CAPTURE(t.estimator);
             CAPTURE(static_cast<int>(kind));
-            const oracle::picture p = oracle::draw_all(oracle::still_life(), kind, 97, 61);
-            const auto composed =
-                compose(t.sampler + "/stochastic_layers:6/" + t.estimator + "/atomic_minimum" +
-                        (kind == lens::orthographic ? "/orthographic" : ""));
-            const crease::parameters how = oracle::view_parameters(p, composed->view(), 0.8);
-            const oracle::settings s = oracle::settings_of(how);
-            const auto expected = oracle::main_pass(
-                p, s, 1, false, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });
-            const oracle::difference d =
-                oracle::compare(run_with_all(p, composed->view(), how, 6), expected.visibility);
+            const oracle::difference d = differ(t, kind == lens::orthographic ? "/orthographic" : "", kind);
             CHECK(d.typical < 0.02);
             CHECK(d.mean < 0.6 / 255);
         }
@@ -179,19 +178,9 @@ TEST_CASE(
     "looking at the front first and skipping nothing gives the same; skipping what cannot matter almost") {
     for (const technique& t : techniques()) {
         CAPTURE(t.estimator);
-        const oracle::picture p = oracle::draw_all(oracle::still_life(), lens::standard, 97, 61);
         for (const std::string fold : {"front_first:0", "front_first:1"}) {
             CAPTURE(fold);
-            const auto composed =
-                compose(t.sampler + "/stochastic_layers:6/" + t.estimator + "/atomic_minimum/" + fold);
-            crease::parameters how = oracle::view_parameters(p, composed->view(), 0.8);
-            how.front_reach = 0;
-            const oracle::settings s = oracle::settings_of(how);
-            const auto expected = oracle::main_pass(
-                p, s, 1, false, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });
-            const oracle::difference d =
-                oracle::compare(run_with_all(p, composed->view(), how, 6), expected.visibility);
-            CHECK(d.mean < 0.7 / 255);
+            CHECK(differ(t, "/" + fold, lens::standard, 0.0f).mean < 0.7 / 255);
         }
     }
 }
@@ -217,16 +206,8 @@ TEST_CASE("layers behind come after all fronts of their direction, in one loop o
         for (const char* angle : {"0", "1"}) {
             CAPTURE(t.sampler);
             CAPTURE(std::string(angle));
-            const oracle::picture p = oracle::draw_all(oracle::still_life(), lens::standard, 97, 61);
-            const auto composed = compose(t.sampler + "/stochastic_layers:6/" + t.estimator +
-                                          "/atomic_minimum/deferred_layers:" + angle);
-            crease::parameters how = oracle::view_parameters(p, composed->view(), 0.8);
-            how.front_reach = 0;
-            const oracle::settings s = oracle::settings_of(how);
-            const auto expected = oracle::main_pass(
-                p, s, 1, false, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });
             const oracle::difference d =
-                oracle::compare(run_with_all(p, composed->view(), how, 6), expected.visibility);
+                differ(t, std::string("/deferred_layers:") + angle, lens::standard, 0.0f);
             CHECK(d.typical < 0.02);
             CHECK(d.mean < 0.13 / 255); // forgetting how high a tap behind raised its direction is 0.14
         }
