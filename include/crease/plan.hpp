@@ -206,7 +206,8 @@ constexpr void connect_chain(plan& p, std::size_t first) {
         pass.last = i + 1 == p.passes.size();
         const auto add = [&](std::string_view name, format texels, lifetime life) {
             pass.outputs.add(static_cast<unsigned>(p.resources.size()));
-            p.resources.add({.name = name, .texels = texels, .life = life, .size = pass.size});
+            p.resources.add(
+                {.name = name, .texels = texels, .life = life, .size = pass.size, .read = access::load});
         };
         if (pass.last) {
             for (const encoding* image : output.final_images)

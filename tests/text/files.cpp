@@ -29,7 +29,7 @@ const int crease_divisor = 1;
 const int crease_input_divisor = 2;
 int crease_view_index = 0;
 #define crease_parameters_place std140, set = 0, binding = 0
-layout(set = 0, binding = 1) uniform usampler2D crease_input;
+layout(r32ui, set = 0, binding = 1) uniform readonly uimage2D crease_input;
 )";
 constexpr const char* workgroup = "layout(local_size_x = 16, local_size_y = 16) in;\n";
 
@@ -52,18 +52,18 @@ std::string resources_for(const std::string& file) {
     unsigned slot = 10;
     for (const crease::part* p : crease::all_parts) {
         const auto is = [&file](const crease::glsl_file* f) { return f && f->name == file; };
-        const auto add = [&](std::string_view name, crease::access how) {
+        const auto add = [&](std::string_view name, bool stored) {
             for (const auto& list : {p->resources, p->intermediates})
                 for (const crease::resource& r : list)
                     if (r.name == name && known.insert(name).second)
-                        text += declared(r, how, slot++);
+                        text += declared(r, stored ? crease::access::store : r.read, slot++);
         };
         bool owns = is(p->glsl);
         for (const crease::glsl_file* helper : p->helpers)
             owns = owns || is(helper);
         if (owns)
             for (const crease::resource& r : p->resources)
-                add(r.name, r.read);
+                add(r.name, false);
         for (const crease::step& s : p->steps) {
             bool in_step = is(s.body);
             for (const crease::glsl_file* helper : s.helpers)
@@ -71,12 +71,12 @@ std::string resources_for(const std::string& file) {
             if (!in_step)
                 continue;
             for (std::string_view name : s.reads)
-                add(name, crease::access::sample);
+                add(name, false);
             for (std::string_view name : s.writes)
-                add(name, crease::access::store);
+                add(name, true);
         }
         if (p->captures && is(p->captures->body) && p->captures->how == crease::access::modify)
-            add(p->captures->writes, crease::access::modify);
+            add(p->captures->writes, true);
     }
     return text;
 }

@@ -21,6 +21,7 @@ struct atomic_minimum_part {
                                            .life = lifetime::captured,
                                            .size = {.guarded = true},
                                            .arrayed = true,
+                                           .read = access::load,
                                            .clear = ~0u,
                                            .layers_by = {.number = 0}}};
     static constexpr role drawing[] = {role::projection, role::layer_sampling};

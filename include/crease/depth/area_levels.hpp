@@ -15,7 +15,7 @@ inline constexpr glsl_file area_fill_glsl{
 namespace areas {
 
 inline constexpr const glsl_file* level_helpers[] = {&area_layers_glsl, &range_glsl, &area_mean_glsl,
-                                                     &areas_sampled_glsl, &area_box_glsl};
+                                                     &areas_stored_glsl, &area_box_glsl};
 inline constexpr const glsl_file* stored_level_helpers[] = {&areas_stored_glsl};
 
 /// Makes a level of a pyramid of the one before; its body defines how.

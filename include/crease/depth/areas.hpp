@@ -54,11 +54,6 @@ inline constexpr glsl_file area_texel_glsl{
 #include <crease/depth/area_texel.glsl>
 };
 
-inline constexpr glsl_file areas_sampled_glsl{
-    "depth/areas_sampled.glsl",
-#include <crease/depth/areas_sampled.glsl>
-};
-
 inline constexpr glsl_file areas_stored_glsl{
     "depth/areas_stored.glsl",
 #include <crease/depth/areas_stored.glsl>
@@ -113,11 +108,13 @@ namespace areas {
 inline constexpr resource range{.name = "range",
                                 .texels = format::rgba32_float,
                                 .life = lifetime::transient,
-                                .size = {.fixed_width = 1, .fixed_height = 1}};
+                                .size = {.fixed_width = 1, .fixed_height = 1},
+                                .read = access::load};
 inline constexpr resource intermediates[] = {{.name = "range_of_columns",
                                               .texels = format::rgba32_float,
                                               .life = lifetime::transient,
-                                              .size = {.fixed_height = 1}}};
+                                              .size = {.fixed_height = 1},
+                                              .read = access::load}};
 
 /// The tables of a depth source.
 /// @param layers   how many tables
@@ -128,6 +125,7 @@ constexpr resource tables(counted layers, int divisor) {
             .life = lifetime::transient,
             .size = {.guarded = true},
             .arrayed = true,
+            .read = access::load,
             .layers_by = layers,
             .texels_by = &area_means::value,
             .divisor_by = divisor};
@@ -149,8 +147,8 @@ inline constexpr const glsl_file* made_helpers[] = {&range_glsl, &area_texel_gls
 inline constexpr const glsl_file* split_helpers[] = {&range_glsl,        &area_mean_glsl, &area_texel_glsl,
                                                      &areas_stored_glsl, &area_box_glsl,  &area_query_glsl,
                                                      &sample_area_glsl};
-inline constexpr const glsl_file* table_helpers[] = {&area_layers_glsl,   &range_glsl,    &area_mean_glsl,
-                                                     &areas_sampled_glsl, &area_box_glsl, &area_query_glsl};
+inline constexpr const glsl_file* table_helpers[] = {&area_layers_glsl,  &range_glsl,    &area_mean_glsl,
+                                                     &areas_stored_glsl, &area_box_glsl, &area_query_glsl};
 
 inline constexpr step range_of_columns{.name = "range_of_columns",
                                        .body = &range_columns_glsl,

@@ -5,7 +5,7 @@ R"glsl("
 // Layers in an array image that holds the bits of their linear depths; where there is none, they are those of a NaN.
 
 float crease_captured_depth(ivec2 texel, int sample_index) {
-    return uintBitsToFloat(texelFetch(crease_captured_layers, ivec3(texel, sample_index), 0).x);
+    return uintBitsToFloat(imageLoad(crease_captured_layers, ivec3(texel, sample_index)).x);
 }
 #ifdef __cplusplus
 ")glsl"

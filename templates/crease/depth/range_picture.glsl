@@ -12,7 +12,7 @@ void crease_build_line(int line) {
     int along = int(gl_LocalInvocationID.x), count = int(gl_WorkGroupSize.x);
     vec4 own = crease_range_empty();
     for (int x = along; x < int(crease_view.resolution.x); x += count)
-        own = crease_range_join(own, texelFetch(crease_range_of_columns, ivec2(x, 0), 0));
+        own = crease_range_join(own, imageLoad(crease_range_of_columns, ivec2(x, 0)));
     own = crease_range_join_all(own, along, count, 1);
     if (along == 0)
         imageStore(crease_range, ivec2(0), own.w > 0.0 ? vec4(own.xy, own.z / own.w, own.w) : vec4(0.0));

@@ -17,6 +17,8 @@ vec4 crease_areas_over(ivec4 box, int table);
 vec4 crease_area_part(ivec2 at, int i, int j);
 vec4 crease_area_texel(ivec2 at);
 
+int crease_areas_divisor() { return crease_divisor; }
+
 const int crease_summed_area_adaptive_most = 4; // layers that one level splits
 
 struct crease_summed_area_adaptive_means {

@@ -15,15 +15,15 @@ float crease_bilateral_slope(float own, float other, float tightness) {
 }
 
 crease_result crease_evaluate(ivec2 pixel) {
-    vec2 scale = 1.0 / vec2(textureSize(crease_input, 0));
-    vec2 axis = vec2(crease_bilateral_axis == 0, crease_bilateral_axis == 1);
-    vec2 centre = (vec2(pixel) + 0.5) * scale, step = axis * scale;
+    ivec2 step = ivec2(crease_bilateral_axis == 0, crease_bilateral_axis == 1);
+    vec2 axis = vec2(step);
+    ivec2 last = crease_size(crease_divisor) - 1;
     // All are fetched before any is weighed, so that the waits overlap.
     uvec4 texels_before[crease_bilateral_radius], texels_after[crease_bilateral_radius];
-    crease_result own = crease_decode(textureLod(crease_input, centre, 0.0));
+    crease_result own = crease_decode(imageLoad(crease_input, pixel));
     for (int i = 0; i < crease_bilateral_radius; ++i) {
-        texels_before[i] = textureLod(crease_input, centre - step * float(i + 1), 0.0);
-        texels_after[i] = textureLod(crease_input, centre + step * float(i + 1), 0.0);
+        texels_before[i] = imageLoad(crease_input, max(pixel - step * (i + 1), ivec2(0)));
+        texels_after[i] = imageLoad(crease_input, min(pixel + step * (i + 1), last));
     }
     float tightness = crease_sharpness / max(crease_radius, 1e-20);
     float rise_before = crease_decode(texels_before[0]).depth - own.depth;

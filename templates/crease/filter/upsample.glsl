@@ -27,7 +27,7 @@ crease_result crease_evaluate(ivec2 pixel) {
     for (int j = 0; j < 2; ++j)
         for (int i = 0; i < 2; ++i) {
             crease_result coarse =
-                crease_decode(texelFetch(crease_input, clamp(first + ivec2(i, j), ivec2(0), last), 0));
+                crease_decode(imageLoad(crease_input, clamp(first + ivec2(i, j), ivec2(0), last)));
             float apart = (coarse.depth - depth) * tightness;
             float weight = (i == 0 ? 1.0 - part.x : part.x) * (j == 0 ? 1.0 - part.y : part.y);
             weight = (weight + 1e-3) / (1.0 + apart * apart);
