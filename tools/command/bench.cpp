@@ -61,9 +61,16 @@ camera half_a_pixel_on(camera from) {
     return from;
 }
 
+/// Where a directory keeps the truth of a view: apart from those of other sizes, radii and rays.
+std::filesystem::path place_of_truth(const subject& view, const bench_options& options) {
+    return options.truths / view.name / view.from.name /
+           fmt::format("{}x{} radius {} rays {}", options.width, options.height, view.from.ao_radius,
+                       options.rays);
+}
+
 /// The truth of a view, traced once where a directory keeps it.
 void add_truth(subject& view, const mesh& scene, const bench_options& options) {
-    const std::filesystem::path kept = options.truths / view.name / view.from.name;
+    const std::filesystem::path kept = place_of_truth(view, options);
     const char* last = options.hidden ? "mask.pfm" : "bent.pfm";
     if (!options.truths.empty() && std::filesystem::exists(kept / last)) {
         view.hard = read_pfm(kept / "ao_hard.pfm");
