@@ -76,6 +76,10 @@ std::vector<std::vector<tap>> directions(const picture& p, const receiver& r, co
     const glm::dvec2 random = noise(r.pixel_x, r.pixel_y, s);
     glm::dvec3 across, up;
     axes(p, r, across, up);
+    // Radii that make a texel: the root mean square over the directions on the screen.
+    const glm::dmat2 radii =
+        glm::inverse(glm::dmat2(texel_offset(p, r, s.radius * across), texel_offset(p, r, s.radius * up)));
+    const double nearest = std::sqrt((glm::dot(radii[0], radii[0]) + glm::dot(radii[1], radii[1])) / 2);
     std::vector<std::vector<tap>> all;
     double offset = random.y;
     for (int i = 0; i < count; ++i) {
@@ -85,7 +89,7 @@ std::vector<std::vector<tap>> directions(const picture& p, const receiver& r, co
         const glm::dvec2 whole = texel_offset(p, r, s.radius * azimuth);
         std::vector<tap> along;
         for (int j = 0; j < steps; ++j) {
-            const glm::dvec2 shift = whole * ((j + offset) / (steps + 1)) + glm::normalize(whole);
+            const glm::dvec2 shift = whole * ((j + offset) / (steps + 1) + nearest);
             tap t = texel_of(glm::dvec2(r.x + 0.5, r.y + 0.5) + shift);
             t.azimuth = azimuth;
             if (p.contains(t.x, t.y))

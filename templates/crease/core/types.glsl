@@ -11,10 +11,11 @@ const float crease_far_share = 0.999;
 // Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
 ivec2 crease_size(int divisor) { return (ivec2(crease_view.resolution) + divisor - 1) / divisor; }
 
-// Whether texel coordinates lie in the depth image; false where they are NaN.
+// Whether texel coordinates lie in the depth image. As whole numbers the bits of what is negative or NaN are greater
+// than those of any size.
 bool crease_inside(vec2 texel) {
-    vec2 middle = 0.5 * crease_view.resolution;
-    return all(lessThan(abs(texel - middle), middle + crease_view.guard));
+    vec2 size = crease_view.resolution + 2.0 * crease_view.guard;
+    return all(lessThan(floatBitsToUint(texel + crease_view.guard), floatBitsToUint(size)));
 }
 
 // The texel of the picture that stands for a pixel of a picture that is smaller by `divisor`.

@@ -12,6 +12,7 @@ struct crease_pattern {
     vec2 stride;    // texels
     vec2 first;     // texels, from the receiver to step 0
     float offset;   // of step 0, in strides
+    float nearest;  // strides that make a texel, in the root mean square over the directions on the screen
 };
 
 float crease_directions_angle() { return 6.28318531 / float(crease_directions_count); }
@@ -19,7 +20,11 @@ float crease_directions_angle() { return 6.28318531 / float(crease_directions_co
 crease_pattern crease_pattern_begin(crease_receiver receiver) {
     vec2 noise = crease_noise(receiver.pixel);
     float angle = noise.x * crease_directions_angle();
-    return crease_pattern(vec2(cos(angle), sin(angle)), vec2(0.0), vec2(0.0), noise.y);
+    // In each direction more than 1 / sqrt(2) of the texels that it says, so no tap falls on the receiver itself.
+    float texels = abs(determinant(receiver.disk)) *
+        inversesqrt(0.5 * (dot(receiver.disk[0], receiver.disk[0]) + dot(receiver.disk[1], receiver.disk[1])));
+    return crease_pattern(vec2(cos(angle), sin(angle)), vec2(0.0), vec2(0.0), noise.y,
+                          float(crease_directions_steps + 1) / texels);
 }
 
 int crease_direction_count() { return crease_directions_count; }
@@ -32,9 +37,7 @@ vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
                              turn.y * pattern.direction.x + turn.x * pattern.direction.y);
     pattern.offset = fract(pattern.offset + 0.61803399); // another first step in each direction
     pattern.stride = receiver.disk * (pattern.direction * (1.0 / float(crease_directions_steps + 1)));
-    // One texel further, so that no tap falls on the receiver itself.
-    pattern.first =
-        receiver.texel + pattern.stride * (pattern.offset + inversesqrt(dot(pattern.stride, pattern.stride)));
+    pattern.first = receiver.texel + pattern.stride * (pattern.offset + pattern.nearest);
     return pattern.direction;
 }
 

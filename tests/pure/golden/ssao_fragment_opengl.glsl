@@ -54,10 +54,11 @@ const float crease_far_share = 0.999;
 // Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
 ivec2 crease_size(int divisor) { return (ivec2(crease_view.resolution) + divisor - 1) / divisor; }
 
-// Whether texel coordinates lie in the depth image; false where they are NaN.
+// Whether texel coordinates lie in the depth image. As whole numbers the bits of what is negative or NaN are greater
+// than those of any size.
 bool crease_inside(vec2 texel) {
-    vec2 middle = 0.5 * crease_view.resolution;
-    return all(lessThan(abs(texel - middle), middle + crease_view.guard));
+    vec2 size = crease_view.resolution + 2.0 * crease_view.guard;
+    return all(lessThan(floatBitsToUint(texel + crease_view.guard), floatBitsToUint(size)));
 }
 
 // The texel of the picture that stands for a pixel of a picture that is smaller by `divisor`.
@@ -340,44 +341,83 @@ void crease_gathered_tap(inout crease_gathered gathered, crease_receiver receive
 void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiver, crease_estimate estimate,
                           vec2 direction);
 
-const int crease_batch = 4; // taps whose layers are fetched before any is weighed, so that the waits overlap
+const int crease_batch_size = 4;
 // No loop is left where it is short, as a loop costs some drivers dearly: up to so many taps of a direction, and so
 // many layers of all taps.
 const int crease_written_out = 8, crease_all_written_out = 128;
 
-void crease_take(inout crease_estimate estimate, inout crease_gathered gathered, inout crease_pattern pattern,
-                 crease_receiver receiver, int first, int count) {
-    crease_tap taps[crease_batch];
-    crease_layers layers[crease_batch];
+// Taps whose layers are fetched before any is weighed, so that the waits overlap.
+struct crease_batch {
+    crease_tap taps[crease_batch_size];
+    crease_layers layers[crease_batch_size];
+};
+
+crease_batch crease_ask(inout crease_pattern pattern, crease_receiver receiver, int first, int count) {
+    crease_batch batch;
     crease_unroll for (int i = 0; i < count; ++i) {
-        taps[i] = crease_pattern_tap(pattern, receiver, first + i);
-        layers[i] = crease_fetch_layers(taps[i].inside ? taps[i].texel : receiver.texel);
+        batch.taps[i] = crease_pattern_tap(pattern, receiver, first + i);
+        batch.layers[i] = crease_fetch_layers(batch.taps[i].inside ? batch.taps[i].texel : receiver.texel);
     }
+    return batch;
+}
+
+void crease_take(inout crease_estimate estimate, inout crease_gathered gathered, crease_receiver receiver,
+                 crease_batch batch, int count) {
     crease_unroll for (int i = 0; i < count; ++i) {
-        crease_contribution contribution = crease_fold(estimate, receiver, taps[i], layers[i]);
-        if (taps[i].inside)
+        crease_contribution contribution = crease_fold(estimate, receiver, batch.taps[i], batch.layers[i]);
+        if (batch.taps[i].inside)
             crease_estimate_add(estimate, contribution);
-        crease_gathered_tap(gathered, receiver, taps[i], contribution);
+        crease_gathered_tap(gathered, receiver, batch.taps[i], contribution);
     }
 }
 
-bool crease_all_is_short() {
-    return crease_direction_count() * crease_step_count() * crease_layer_count() <= crease_all_written_out;
+// All directions without a loop; the next batch is asked for before one is weighed.
+void crease_gather_ahead(inout crease_estimate estimate, inout crease_gathered gathered, inout crease_pattern pattern,
+                         crease_receiver receiver) {
+    int steps = crease_step_count();
+    int batches = (steps + crease_batch_size - 1) / crease_batch_size;
+    int all = crease_direction_count() * batches;
+    vec2 direction = crease_pattern_turn(pattern, receiver, 0);
+    vec2 next_direction = direction;
+    crease_batch batch = crease_ask(pattern, receiver, 0, min(crease_batch_size, steps));
+    crease_unroll for (int i = 0; i < all; ++i) {
+        int first = i % batches * crease_batch_size;
+        bool ends = first + crease_batch_size >= steps;
+        crease_batch next = batch;
+        if (i + 1 < all) {
+            if (ends)
+                next_direction = crease_pattern_turn(pattern, receiver, i / batches + 1);
+            int next_first = ends ? 0 : first + crease_batch_size;
+            next = crease_ask(pattern, receiver, next_first, min(crease_batch_size, steps - next_first));
+        }
+        if (first == 0)
+            crease_estimate_turn(estimate, direction);
+        crease_take(estimate, gathered, receiver, batch, min(crease_batch_size, steps - first));
+        if (ends)
+            crease_gathered_turn(gathered, receiver, estimate, direction);
+        direction = next_direction;
+        batch = next;
+    }
 }
 
-void crease_march(inout crease_estimate estimate, inout crease_gathered gathered, inout crease_pattern pattern,
-                  crease_receiver receiver, int i) {
+void crease_gather_batch(inout crease_estimate estimate, inout crease_gathered gathered, inout crease_pattern pattern,
+                         crease_receiver receiver, int first, int count) {
+    crease_take(estimate, gathered, receiver, crease_ask(pattern, receiver, first, count), count);
+}
+
+void crease_gather_direction(inout crease_estimate estimate, inout crease_gathered gathered,
+                             inout crease_pattern pattern, crease_receiver receiver, int i) {
     vec2 direction = crease_pattern_turn(pattern, receiver, i);
     crease_estimate_turn(estimate, direction);
-    int rest = crease_step_count() % crease_batch, whole = crease_step_count() - rest;
-    if (whole <= crease_written_out || crease_all_is_short()) {
-        crease_unroll for (int step = 0; step < whole; step += crease_batch)
-            crease_take(estimate, gathered, pattern, receiver, step, crease_batch);
+    int rest = crease_step_count() % crease_batch_size, whole = crease_step_count() - rest;
+    if (whole <= crease_written_out) {
+        crease_unroll for (int step = 0; step < whole; step += crease_batch_size)
+            crease_gather_batch(estimate, gathered, pattern, receiver, step, crease_batch_size);
     } else {
-        for (int step = 0; step < whole; step += crease_batch)
-            crease_take(estimate, gathered, pattern, receiver, step, crease_batch);
+        for (int step = 0; step < whole; step += crease_batch_size)
+            crease_gather_batch(estimate, gathered, pattern, receiver, step, crease_batch_size);
     }
-    crease_take(estimate, gathered, pattern, receiver, whole, rest);
+    crease_gather_batch(estimate, gathered, pattern, receiver, whole, rest);
     crease_gathered_turn(gathered, receiver, estimate, direction);
 }
 
@@ -385,12 +425,11 @@ crease_gathered crease_gather(crease_receiver receiver) {
     crease_pattern pattern = crease_pattern_begin(receiver);
     crease_estimate estimate = crease_estimate_begin(receiver);
     crease_gathered gathered = crease_gathered_begin();
-    if (crease_all_is_short()) {
-        crease_unroll for (int i = 0; i < crease_direction_count(); ++i)
-            crease_march(estimate, gathered, pattern, receiver, i);
+    if (crease_direction_count() * crease_step_count() * crease_layer_count() <= crease_all_written_out) {
+        crease_gather_ahead(estimate, gathered, pattern, receiver);
     } else {
         for (int i = 0; i < crease_direction_count(); ++i)
-            crease_march(estimate, gathered, pattern, receiver, i);
+            crease_gather_direction(estimate, gathered, pattern, receiver, i);
     }
     gathered.occlusion = crease_estimate_occlusion(estimate);
     return gathered;
