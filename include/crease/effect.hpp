@@ -28,8 +28,11 @@ constexpr device_features required_features(const plan& p) {
         required |= c.what->features;
     for (const planned_capture& c : p.captures) {
         required.fragment_stores_and_atomics |= vulkan && c.what->how == access::modify;
+        const resource& filled = p.resources[c.output];
         if (c.what->how == access::attachment)
-            required.depth_samples |= p.resources[c.output].samples;
+            required.depth_samples |= filled.samples;
+        if (filled.centred)
+            required.centred_depth_samples |= filled.samples;
     }
     for (const planned_pass& pass : p.passes)
         if (vulkan && writing::stage_of(p, pass) == stage_kind::compute)

@@ -7,6 +7,7 @@
 
 #include <crease/capture/anisotropic_threshold.hpp>
 #include <crease/capture/atomic_minimum.hpp>
+#include <crease/capture/centred_samples.hpp>
 #include <crease/capture/hash_4d.hpp>
 #include <crease/capture/isotropic_threshold.hpp>
 #include <crease/capture/multisampled.hpp>
@@ -94,6 +95,7 @@ inline constexpr const part* all_parts[] = {
     &work_efficient_scan::description,
     &subgroup_scan::description,
     &second_view_part::description,
+    &centred_samples_part::description,
     &multisampled_part::description,
     &atomic_minimum_part::description,
     &stratified::description,

@@ -82,7 +82,8 @@ struct capture {
     extent size; ///< of what it fills
 
     /// Whether it fills a multisampled depth attachment, with the host's depth test and clear value, whose
-    /// sample mask and depth the shader sets. Else it draws without attachments and without depth test.
+    /// sample mask the shader sets, and the depth too where the resource's samples are not `centred`. Else it
+    /// draws without attachments and without depth test.
     constexpr bool to_attachment() const { return bindings.back().how == access::attachment; }
 };
 
@@ -96,13 +97,17 @@ struct device_features {
     bool subgroup_arithmetic = false;
     /// Sums of the sample counts of depth images that are drawn to and sampled, e.g. 4 | 8; 0: none.
     unsigned depth_samples = 0;
+    /// Of these, those whose samples can be placed at the centre of a texel: Vulkan's
+    /// VK_EXT_sample_locations.
+    unsigned centred_depth_samples = 0;
 
     /// Whether a device that has these features can run what requires `wanted`.
     constexpr bool cover(const device_features& wanted) const {
         return (extended_storage_formats || !wanted.extended_storage_formats) &&
                (fragment_stores_and_atomics || !wanted.fragment_stores_and_atomics) &&
                (subgroup_arithmetic || !wanted.subgroup_arithmetic) &&
-               (depth_samples & wanted.depth_samples) == wanted.depth_samples;
+               (depth_samples & wanted.depth_samples) == wanted.depth_samples &&
+               (centred_depth_samples & wanted.centred_depth_samples) == wanted.centred_depth_samples;
     }
     /// Adds what another effect, pass or part requires.
     constexpr device_features& operator|=(const device_features& more) {
@@ -110,6 +115,7 @@ struct device_features {
         fragment_stores_and_atomics |= more.fragment_stores_and_atomics;
         subgroup_arithmetic |= more.subgroup_arithmetic;
         depth_samples |= more.depth_samples;
+        centred_depth_samples |= more.centred_depth_samples;
         return *this;
     }
     constexpr bool operator==(const device_features&) const = default;

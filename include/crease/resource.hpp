@@ -117,6 +117,7 @@ struct resource {
     unsigned layers = 1;          ///< of an array image
     unsigned samples = 1;         ///< of a multisampled image
     bool arrayed = false;         ///< an array image, also where it has one layer
+    bool centred = false;         ///< all samples of a texel lie at its centre
     access read = access::sample; ///< how passes read it; or load
     std::uint32_t clear = 0; ///< what each component of a captured storage image holds before the capture
     counted layers_by{}, samples_by{};   ///< of a part's description; an effect has the counts

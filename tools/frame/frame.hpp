@@ -59,7 +59,8 @@ struct frame_options {
 /// @throws std::runtime_error  that quotes the one that does not read so
 std::map<std::string, float> parse_settings(const std::vector<std::string>& texts);
 
-/// The recipe with the first layer carrier that the device supports, where it captures layers and names none.
+/// The recipe with the first layer carrier, in the order of the index of parts, that the device supports,
+/// where it captures layers and names none.
 /// @throws vulkan::error  where the device supports none
 recipe supported(const vulkan::device& device, const recipe& chosen);
 

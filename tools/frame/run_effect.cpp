@@ -96,7 +96,7 @@ recipe supported(const vulkan::device& device, const recipe& chosen) {
         std::ranges::any_of(parts, [](const choice& c) { return c.what->captures != nullptr; });
     const bool named =
         std::ranges::any_of(chosen.choices(), [](const choice& c) { return c.what->captures; });
-    if (!captures || named || device.features().cover(features(chosen)))
+    if (!captures || named)
         return chosen;
     for (const part* carrier : all_parts) {
         if (carrier->kind != role::layer_carrier)

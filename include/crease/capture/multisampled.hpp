@@ -39,8 +39,8 @@ struct multisampled_part {
     };
 };
 
-/// Layer carrier: the samples of a multisampled depth image. The default. The numbers place its
-/// bindings and constants among those of the host's geometry pass.
+/// Layer carrier: the samples of a multisampled depth image, wherever they lie. The default. The numbers
+/// place its bindings and constants among those of the host's geometry pass.
 template <int Set = 0, int FirstBinding = 0, int FirstConstant = 0>
 struct multisampled : multisampled_part {
     static constexpr int numbers[] = {Set, FirstBinding, FirstConstant};

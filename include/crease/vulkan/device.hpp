@@ -2,6 +2,7 @@
 #pragma once
 
 #include <crease/vulkan/features.hpp>
+#include <crease/vulkan/sample_locations.hpp>
 #include <crease/vulkan/selection.hpp>
 
 #include <cmath>
@@ -89,7 +90,8 @@ private:
         VkPhysicalDeviceFeatures supported, enabled{};
         vkGetPhysicalDeviceFeatures(selected_.physical, &supported);
         features_ = detail::features_of(supported, selected_.properties.limits,
-                                        detail::subgroups_of(selected_.physical));
+                                        detail::subgroups_of(selected_.physical),
+                                        detail::placeable_samples(selected_.physical));
         for (const detail::known_feature& known : detail::known_features)
             enabled.*known.flag = supported.*known.flag;
 
@@ -102,6 +104,9 @@ private:
         info.queueCreateInfoCount = 1;
         info.pQueueCreateInfos = &queue;
         info.pEnabledFeatures = &enabled;
+        const char* const sample_locations = VK_EXT_SAMPLE_LOCATIONS_EXTENSION_NAME;
+        info.enabledExtensionCount = features_.centred_depth_samples ? 1 : 0;
+        info.ppEnabledExtensionNames = &sample_locations;
         detail::check(vkCreateDevice(selected_.physical, &info, nullptr, &logical_.handle),
                       "use the device '" + name() + "'");
         vkGetDeviceQueue(logical_.handle, selected_.queue_family, 0, &queue_);

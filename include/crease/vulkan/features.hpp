@@ -26,11 +26,13 @@ inline constexpr known_feature known_features[] = {
 
 constexpr device_features features_of(const VkPhysicalDeviceFeatures& supported,
                                       const VkPhysicalDeviceLimits& limits,
-                                      const VkPhysicalDeviceSubgroupProperties& subgroups) {
+                                      const VkPhysicalDeviceSubgroupProperties& subgroups,
+                                      VkSampleCountFlags placeable) {
     device_features features;
     features.subgroup_arithmetic = (subgroups.supportedOperations & VK_SUBGROUP_FEATURE_ARITHMETIC_BIT) &&
                                    (subgroups.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT);
     features.depth_samples = limits.framebufferDepthSampleCounts & limits.sampledImageDepthSampleCounts;
+    features.centred_depth_samples = features.depth_samples & placeable;
     for (const known_feature& known : known_features)
         features.*known.field = supported.*known.flag;
     return features;
@@ -48,6 +50,10 @@ inline std::string missing_features(const device_features& there, const device_f
         if (wanted.depth_samples & ~there.depth_samples & samples)
             missing.append(missing.empty() ? "" : ", ")
                 .append("depth images of " + std::to_string(samples) + " samples a texel");
+    for (unsigned samples = 1; samples <= wanted.centred_depth_samples; samples *= 2)
+        if (wanted.centred_depth_samples & ~there.centred_depth_samples & samples)
+            missing.append(missing.empty() ? "" : ", ")
+                .append("VK_EXT_sample_locations for " + std::to_string(samples) + " samples a texel");
     return missing;
 }
 

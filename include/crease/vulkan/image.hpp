@@ -2,6 +2,7 @@
 #pragma once
 
 #include <crease/vulkan/memory.hpp>
+#include <crease/vulkan/sample_locations.hpp>
 #include <crease/vulkan/texels.hpp>
 
 namespace crease::vulkan {
@@ -13,6 +14,7 @@ struct image_description {
     std::uint32_t width = 0, height = 0; ///< texels
     std::uint32_t layers = 1, samples = 1;
     bool arrayed = false; ///< seen as an array, also where it has one layer
+    bool centred = false; ///< all samples of a texel lie at its centre
     VkImageUsageFlags usage = 0;
 };
 
@@ -50,6 +52,8 @@ public:
         info.samples = static_cast<VkSampleCountFlagBits>(description.samples);
         info.tiling = VK_IMAGE_TILING_OPTIMAL;
         info.usage = description.usage;
+        if (description.centred)
+            info.flags = VK_IMAGE_CREATE_SAMPLE_LOCATIONS_COMPATIBLE_DEPTH_BIT_EXT;
         expect_supported(on, info, what);
         handle_ = detail::make<detail::owned_image>(on.handle(), vkCreateImage, info, what);
         VkMemoryRequirements needs;
@@ -90,6 +94,9 @@ public:
         barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
         barrier.image = handle_;
         barrier.subresourceRange = range();
+        const VkSampleLocationsInfoEXT centres = detail::at_the_centre(description_.samples);
+        if (description_.centred)
+            barrier.pNext = &centres;
         vkCmdPipelineBarrier(commands, last_.stages, next.stages, 0, 0, nullptr, 0, nullptr, 1, &barrier);
         const VkPipelineStageFlags readers =
             both_read ? last_.stages : 0; // a later write waits for all of them

@@ -102,6 +102,12 @@ inline owned_pipeline make_graphics_pipeline(const device& on, const graphics_de
     auto samples =
         blank<VkPipelineMultisampleStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO);
     samples.rasterizationSamples = from.target->samples();
+    auto locations = blank<VkPipelineSampleLocationsStateCreateInfoEXT>(
+        VK_STRUCTURE_TYPE_PIPELINE_SAMPLE_LOCATIONS_STATE_CREATE_INFO_EXT);
+    locations.sampleLocationsEnable = VK_TRUE;
+    locations.sampleLocationsInfo = at_the_centre(from.target->samples());
+    if (from.target->is_centred())
+        samples.pNext = &locations;
     auto depth = blank<VkPipelineDepthStencilStateCreateInfo>(
         VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO);
     depth.depthTestEnable = depth.depthWriteEnable = from.target->has_depth();

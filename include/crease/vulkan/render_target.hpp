@@ -74,6 +74,8 @@ public:
                            : static_cast<VkSampleCountFlagBits>(all[0]->description().samples);
     }
 
+    bool is_centred() const { return depth_ && depth_->description().centred; }
+
     /// Begins to draw. Where it clears, colours become 0.
     void begin(VkCommandBuffer commands, float clear_depth = 1) const {
         std::vector<VkClearValue> clear;
@@ -90,6 +92,13 @@ public:
         info.renderArea.extent = size();
         info.clearValueCount = static_cast<std::uint32_t>(clear.size());
         info.pClearValues = clear.data();
+        const VkSubpassSampleLocationsEXT drawn{0, at_the_centre(samples())};
+        auto locations = blank<VkRenderPassSampleLocationsBeginInfoEXT>(
+            VK_STRUCTURE_TYPE_RENDER_PASS_SAMPLE_LOCATIONS_BEGIN_INFO_EXT);
+        locations.postSubpassSampleLocationsCount = 1;
+        locations.pPostSubpassSampleLocations = &drawn;
+        if (is_centred())
+            info.pNext = &locations;
         vkCmdBeginRenderPass(commands, &info, VK_SUBPASS_CONTENTS_INLINE);
     }
     void end(VkCommandBuffer commands) const { vkCmdEndRenderPass(commands); }

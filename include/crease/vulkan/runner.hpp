@@ -191,6 +191,7 @@ private:
                                                                      .layers = r.layers,
                                                                      .samples = r.samples,
                                                                      .arrayed = r.arrayed,
+                                                                     .centred = r.centred,
                                                                      .usage = usage_of(i)});
         current_[i] = own_[i].get();
         return *own_[i];

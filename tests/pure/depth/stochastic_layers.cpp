@@ -25,7 +25,13 @@ static_assert(contains(layered::captures[0].pieces[0].text, "set = 1, binding = 
 using sampled = effect<directions<4, 4>, stochastic_layers<6>, hbao>;
 static_assert(sampled::captures[0].to_attachment());
 static_assert(sampled::features.depth_samples == 8); // the next power of two
+static_assert(sampled::features.centred_depth_samples == 0);
+static_assert(contains(sampled::captures[0].pieces.back().text, "gl_FragDepth"));
 static_assert(effect<directions<4, 4>, single_layer, hbao>::captures.empty());
+
+using centred = effect<directions<4, 4>, stochastic_layers<6>, hbao, centred_samples<>>;
+static_assert(centred::features.depth_samples == 8 && centred::features.centred_depth_samples == 8);
+static_assert(!contains(centred::captures[0].pieces.back().text, "gl_FragDepth"));
 
 }
 
@@ -37,8 +43,12 @@ TEST_CASE("a capture's image has as many layers or samples as the depth source a
             CHECK(r.life == lifetime::captured);
         }
     for (const resource& r : sampled::resources)
-        if (r.name == "captured_layers")
+        if (r.name == "captured_layers") {
             CHECK(r.samples == 8);
+            CHECK(!r.centred);
+        }
+    for (const resource& r : centred::resources)
+        CHECK(r.centred == (r.name == "captured_layers"));
 }
 
 TEST_CASE("a capture is the same from a recipe") {
