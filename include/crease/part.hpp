@@ -31,6 +31,8 @@ enum class role : unsigned char {
     dialect         ///< which GLSL it is written in
 };
 
+inline constexpr std::size_t role_count = static_cast<std::size_t>(role::dialect) + 1;
+
 constexpr std::string_view name_of(role r) {
     constexpr std::string_view names[] = {"sampler",        "depth source",   "estimator", "projection",
                                           "depth encoding", "normals",        "noise",     "second view",
