@@ -320,50 +320,54 @@ struct crease_batch {
 
 crease_batch crease_ask(inout crease_pattern pattern, crease_receiver receiver, int first, int count) {
     crease_batch batch;
-    crease_unroll for (int i = 0; i < count; ++i) {
-        batch.taps[i] = crease_pattern_tap(pattern, receiver, first + i);
-        batch.layers[i] = crease_fetch_layers(batch.taps[i].inside ? batch.taps[i].texel : receiver.texel);
-    }
+    crease_unroll for (int i = 0; i < crease_batch_size; ++i)
+        if (i < count) {
+            batch.taps[i] = crease_pattern_tap(pattern, receiver, first + i);
+            batch.layers[i] = crease_fetch_layers(batch.taps[i].inside ? batch.taps[i].texel : receiver.texel);
+        }
     return batch;
 }
 
 void crease_take(inout crease_estimate estimate, inout crease_gathered gathered, crease_receiver receiver,
                  crease_batch batch, int count) {
-    crease_unroll for (int i = 0; i < count; ++i) {
-        crease_contribution contribution = crease_fold(estimate, receiver, batch.taps[i], batch.layers[i]);
-        if (batch.taps[i].inside)
-            crease_estimate_add(estimate, contribution);
-        crease_gathered_tap(gathered, receiver, batch.taps[i], contribution);
-    }
+    crease_unroll for (int i = 0; i < crease_batch_size; ++i)
+        if (i < count) {
+            crease_contribution contribution = crease_fold(estimate, receiver, batch.taps[i], batch.layers[i]);
+            if (batch.taps[i].inside)
+                crease_estimate_add(estimate, contribution);
+            crease_gathered_tap(gathered, receiver, batch.taps[i], contribution);
+        }
+}
+
+// A batch of the directions, counted through all of them: where it begins in its direction, and how many taps it has.
+int crease_batches() { return (crease_step_count() + crease_batch_size - 1) / crease_batch_size; }
+int crease_first_of(int batch) { return batch % crease_batches() * crease_batch_size; }
+int crease_count_of(int batch) { return min(crease_batch_size, crease_step_count() - crease_first_of(batch)); }
+
+void crease_take_in_turn(inout crease_estimate estimate, inout crease_gathered gathered, crease_receiver receiver,
+                         crease_batch taken, vec2 direction, int batch) {
+    if (crease_first_of(batch) == 0)
+        crease_estimate_turn(estimate, direction);
+    crease_take(estimate, gathered, receiver, taken, crease_count_of(batch));
+    if (crease_first_of(batch + 1) == 0)
+        crease_gathered_turn(gathered, receiver, estimate, direction);
 }
 
 // All directions without a loop; the next batch is asked for before one is weighed.
 void crease_gather_ahead(inout crease_estimate estimate, inout crease_gathered gathered, inout crease_pattern pattern,
                          crease_receiver receiver) {
-    int steps = crease_step_count();
-    int batches = (steps + crease_batch_size - 1) / crease_batch_size;
-    int all = crease_direction_count() * batches;
-    vec2 direction = crease_pattern_turn(pattern, receiver, 0);
-    vec2 next_direction = direction;
-    crease_batch batch = crease_ask(pattern, receiver, 0, min(crease_batch_size, steps));
-    crease_unroll for (int i = 0; i < all; ++i) {
-        int first = i % batches * crease_batch_size;
-        bool ends = first + crease_batch_size >= steps;
-        crease_batch next = batch;
-        if (i + 1 < all) {
-            if (ends)
-                next_direction = crease_pattern_turn(pattern, receiver, i / batches + 1);
-            int next_first = ends ? 0 : first + crease_batch_size;
-            next = crease_ask(pattern, receiver, next_first, min(crease_batch_size, steps - next_first));
-        }
-        if (first == 0)
-            crease_estimate_turn(estimate, direction);
-        crease_take(estimate, gathered, receiver, batch, min(crease_batch_size, steps - first));
-        if (ends)
-            crease_gathered_turn(gathered, receiver, estimate, direction);
+    int last = crease_direction_count() * crease_batches() - 1;
+    vec2 direction = crease_pattern_turn(pattern, receiver, 0), next_direction = direction;
+    crease_batch asked = crease_ask(pattern, receiver, 0, crease_count_of(0));
+    crease_unroll for (int batch = 0; batch < last; ++batch) {
+        if (crease_first_of(batch + 1) == 0)
+            next_direction = crease_pattern_turn(pattern, receiver, (batch + 1) / crease_batches());
+        crease_batch next = crease_ask(pattern, receiver, crease_first_of(batch + 1), crease_count_of(batch + 1));
+        crease_take_in_turn(estimate, gathered, receiver, asked, direction, batch);
         direction = next_direction;
-        batch = next;
+        asked = next;
     }
+    crease_take_in_turn(estimate, gathered, receiver, asked, direction, last);
 }
 
 void crease_gather_batch(inout crease_estimate estimate, inout crease_gathered gathered, inout crease_pattern pattern,
@@ -383,7 +387,8 @@ void crease_gather_direction(inout crease_estimate estimate, inout crease_gather
         for (int step = 0; step < whole; step += crease_batch_size)
             crease_gather_batch(estimate, gathered, pattern, receiver, step, crease_batch_size);
     }
-    crease_gather_batch(estimate, gathered, pattern, receiver, whole, rest);
+    if (rest > 0)
+        crease_gather_batch(estimate, gathered, pattern, receiver, whole, rest);
     crease_gathered_turn(gathered, receiver, estimate, direction);
 }
 
