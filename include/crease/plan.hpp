@@ -111,8 +111,11 @@ constexpr void add_resource(plan& p, const resource& wanted) {
     if (r.layers_by.number >= 0) // a second camera's layers come after those of the first
         r.layers = count_of(r.layers_by, source) *
                    (r.life == lifetime::transient && p.find(role::second_view) ? 2 : 1);
-    if (r.texels_of_one != format::none && source.numbers[r.layers_by.number] == 1)
-        r.texels = r.texels_of_one;
+    if (!r.texels_of_few.empty()) {
+        const auto layers = static_cast<std::size_t>(source.numbers[r.layers_by.number]);
+        if (layers <= r.texels_of_few.size())
+            r.texels = r.texels_of_few[layers - 1];
+    }
     if (r.texels_by)
         for (const choice& c : p.choices)
             for (const extra& e : c.what->extras)
@@ -126,7 +129,7 @@ constexpr void add_resource(plan& p, const resource& wanted) {
         r.count = static_cast<unsigned>(source.numbers[0]);
     r.layers_by = r.samples_by = {};
     r.divisor_by = -1;
-    r.texels_of_one = format::none;
+    r.texels_of_few = {};
     r.texels_by = nullptr;
 }
 

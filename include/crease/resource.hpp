@@ -120,9 +120,9 @@ struct resource {
     bool centred = false;         ///< all samples of a texel lie at its centre
     access read = access::sample; ///< how passes read it; or load
     std::uint32_t clear = 0; ///< what each component of a captured storage image holds before the capture
-    counted layers_by{}, samples_by{};   ///< of a part's description; an effect has the counts
-    format texels_of_one = format::none; ///< of a part's description: the texels where the number of
-                                         ///< `layers_by` is 1; none: as where it is more
+    counted layers_by{}, samples_by{};        ///< of a part's description; an effect has the counts
+    array_view<const format> texels_of_few{}; ///< of a part's description: the texels where the number of
+                                              ///< `layers_by` is 1, 2 and so on; `texels` where it is more
     const trait* texels_by = nullptr; ///< of a part's description: the trait whose extra may say the texels
     int divisor_by = -1; ///< of a part's description: index of the depth source's number that is the divisor
                          ///< of the size; -1: that is fixed

@@ -29,6 +29,7 @@ struct stochastic_layers_part {
     };
     static constexpr const glsl_file* groups[] = {&layer_groups_glsl};
     static constexpr role capturing[] = {role::layer_carrier, role::layer_sampling, role::fold};
+    static constexpr format few[] = {format::r32_float, format::rg32_float};
     static constexpr resource packed[] = {{.name = "packed_layers",
                                            .texels = format::rgba32_float,
                                            .life = lifetime::transient,
@@ -36,7 +37,7 @@ struct stochastic_layers_part {
                                            .arrayed = true,
                                            .read = access::load,
                                            .layers_by = {.number = 0, .share = 4},
-                                           .texels_of_one = format::r32_float}};
+                                           .texels_of_few = few}};
     static constexpr role packing[] = {role::projection, role::depth_encoding, role::layer_carrier};
     static constexpr std::string_view filled[] = {"packed_layers"};
     static constexpr step passes[] = {{.name = "pack_layers",

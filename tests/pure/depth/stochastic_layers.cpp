@@ -69,14 +69,15 @@ TEST_CASE("a second camera has a capture, a packing and layers of its own") {
             CHECK(r.layers == 2);
 }
 
-TEST_CASE("layers lie in groups of four; a single one needs one component") {
+TEST_CASE("layers lie in groups of four; one or two need as many components") {
     struct expectation {
         std::string samples;
         format texels;
         unsigned groups;
     };
     for (const expectation& expected : {expectation{"1", format::r32_float, 1},
-                                        {"2", format::rgba32_float, 1},
+                                        {"2", format::rg32_float, 1},
+                                        {"3", format::rgba32_float, 1},
                                         {"4", format::rgba32_float, 1},
                                         {"5", format::rgba32_float, 2}}) {
         CAPTURE(expected.samples);
