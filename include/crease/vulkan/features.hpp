@@ -41,19 +41,21 @@ constexpr device_features features_of(const VkPhysicalDeviceFeatures& supported,
 /// What is wanted and not there, by Vulkan's names, separated by ", "; empty where all is there.
 inline std::string missing_features(const device_features& there, const device_features& wanted) {
     std::string missing;
+    const auto add = [&](const std::string& name) {
+        missing.append(missing.empty() ? "" : ", ").append(name);
+    };
+    const auto add_counts = [&](unsigned counts, const std::string& name) {
+        for (unsigned samples = 1; samples <= counts; samples *= 2)
+            if (counts & samples)
+                add(name + " " + std::to_string(samples) + " samples a texel");
+    };
     for (const known_feature& known : known_features)
         if (wanted.*known.field && !(there.*known.field))
-            missing.append(missing.empty() ? "" : ", ").append(known.name);
+            add(known.name);
     if (wanted.subgroup_arithmetic && !there.subgroup_arithmetic)
-        missing.append(missing.empty() ? "" : ", ").append("arithmetic of subgroups in compute shaders");
-    for (unsigned samples = 1; samples <= wanted.depth_samples; samples *= 2)
-        if (wanted.depth_samples & ~there.depth_samples & samples)
-            missing.append(missing.empty() ? "" : ", ")
-                .append("depth images of " + std::to_string(samples) + " samples a texel");
-    for (unsigned samples = 1; samples <= wanted.centred_depth_samples; samples *= 2)
-        if (wanted.centred_depth_samples & ~there.centred_depth_samples & samples)
-            missing.append(missing.empty() ? "" : ", ")
-                .append("VK_EXT_sample_locations for " + std::to_string(samples) + " samples a texel");
+        add("arithmetic of subgroups in compute shaders");
+    add_counts(wanted.depth_samples & ~there.depth_samples, "depth images of");
+    add_counts(wanted.centred_depth_samples & ~there.centred_depth_samples, "VK_EXT_sample_locations for");
     return missing;
 }
 
