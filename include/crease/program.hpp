@@ -252,6 +252,7 @@ constexpr program write_evaluate(const plan& p, const planned_pass& pass) {
             const glsl_file* of_source = p.chosen(role::depth_source).what->fold;
             to.add_file(of_source ? of_source : p.chosen(role::estimator).what->fold);
         }
+        to.add_file(&batch_glsl);
         to.add_file(fold && fold->what->gather ? fold->what->gather : &gather_glsl);
         to.add_file(&strength_glsl);
         to.add_file(&receive_glsl);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <span>
 
 namespace oracle {
@@ -92,6 +93,7 @@ std::vector<std::vector<tap>> directions(const picture& p, const receiver& r, co
             const glm::dvec2 shift = whole * ((j + offset) / (steps + 1) + nearest);
             tap t = texel_of(glm::dvec2(r.x + 0.5, r.y + 0.5) + shift);
             t.azimuth = azimuth;
+            t.step = j;
             if (p.contains(t.x, t.y))
                 along.push_back(t);
         }
@@ -111,7 +113,8 @@ std::vector<std::vector<tap>> poisson_disk(const picture& p, const receiver& r, 
         const double angle = two_pi * random.x + golden_angle * (i + 1),
                      distance = std::sqrt((i + random.y) / count);
         const glm::dvec3 offset = s.radius * distance * (std::cos(angle) * across + std::sin(angle) * up);
-        const tap t = texel_of(glm::dvec2(r.x + 0.5, r.y + 0.5) + texel_offset(p, r, offset));
+        tap t = texel_of(glm::dvec2(r.x + 0.5, r.y + 0.5) + texel_offset(p, r, offset));
+        t.step = i;
         if (p.contains(t.x, t.y) && !(t.x == r.x && t.y == r.y))
             taps.push_back(t);
     }
@@ -165,12 +168,12 @@ double ssao(const picture& p, const receiver& r, const settings& s,
 }
 
 double hbao(const picture& p, const receiver& r, const settings& s, const std::vector<std::vector<tap>>& taps,
-            bool fronts_first) {
+            deferral how) {
     double occlusion = 0;
     for (const std::vector<tap>& direction : taps) {
         double horizon_rise = 0; // sin(h) - sin(t) of the highest so far
-        for (std::size_t i = fronts_first ? 0 : direction.size(); i < 2 * direction.size(); ++i) {
-            const tap& t = direction[i % direction.size()];
+        // Looks at the first `count` layers of a tap; returns whether the front one is above the horizon.
+        const auto look_at = [&](const tap& t, std::size_t count) {
             // The slice of the marched direction and the eye: the tangent in it, and the normal's part in it.
             const double facing = std::max(glm::dot(r.normal, r.to_eye), 1e-3);
             const double tangent = std::atan2(-glm::dot(r.normal, t.azimuth), facing);
@@ -178,15 +181,16 @@ double hbao(const picture& p, const receiver& r, const settings& s, const std::v
             const double biased = std::min(tangent + s.bias, glm::half_pi<double>());
             const double horizon = std::max(horizon_rise, std::sin(biased) - std::sin(tangent));
             double most = 0, highest = horizon_rise; // of the layer that occludes the most
+            bool front_above = false;
             const std::vector<glm::dvec3> layers = p.positions(t.x, t.y);
-            const std::size_t looked_at = i < direction.size() ? 1 : layers.size();
-            for (const glm::dvec3& position : std::span(layers).first(std::min(looked_at, layers.size()))) {
-                const glm::dvec3 v = position - r.position;
+            for (std::size_t i = 0; i < std::min(count, layers.size()); ++i) {
+                const glm::dvec3 v = layers[i] - r.position;
                 const double length = glm::length(v);
                 const double over_tangent =
                     std::asin(std::clamp(glm::dot(v, r.normal) / (length * part), -1.0, 1.0));
                 const double above = std::sin(tangent + over_tangent) - std::sin(tangent);
                 const double occludes = falloff(length, s.radius) * (above - horizon);
+                front_above = front_above || (i == 0 && above > horizon);
                 if (above > horizon && length < s.radius && glm::dot(v, r.normal) / length > s.threshold &&
                     occludes > most) {
                     most = occludes;
@@ -195,18 +199,34 @@ double hbao(const picture& p, const receiver& r, const settings& s, const std::v
             }
             occlusion += most;
             horizon_rise = highest;
+            return front_above;
+        };
+        std::map<int, std::vector<tap>> behind; // of each four steps
+        for (const tap& t : direction) {
+            const bool front_above = look_at(t, how.looks == 0 ? ~std::size_t{0} : 1);
+            if (front_above || !how.skip)
+                behind[t.step / 4].push_back(t);
         }
+        for (const auto& [steps, wanted] : behind)
+            for (std::size_t i = 0; i < std::min<std::size_t>(wanted.size(), how.looks); ++i)
+                look_at(wanted[i], ~std::size_t{0});
     }
     return occlusion / static_cast<double>(taps.size());
 }
 
 double hbao_plus(const picture& p, const receiver& r, const settings& s,
-                 const std::vector<std::vector<tap>>& taps) {
+                 const std::vector<std::vector<tap>>& taps, deferral how) {
     double occlusion = 0, count = 0;
-    for (const std::vector<tap>& direction : taps)
+    for (const std::vector<tap>& direction : taps) {
+        std::map<int, int> looks; // of each four steps
         for (const tap& t : direction) {
-            double most = 0; // of all layers
-            for (const glm::dvec3& position : p.positions(t.x, t.y)) {
+            const std::vector<glm::dvec3> layers = p.positions(t.x, t.y);
+            // Away from the eye leads further down from a front surface below the tangent plane.
+            const bool settled = glm::dot(layers[0] - r.position, r.normal) <= 0 &&
+                                 glm::dot(p.to_eye(layers[0]), r.normal) >= 0;
+            const bool behind = how.looks == 0 || (!(settled && how.skip) && looks[t.step / 4]++ < how.looks);
+            double most = 0; // of all layers that are looked at
+            for (const glm::dvec3& position : std::span(layers).first(behind ? layers.size() : 1)) {
                 const glm::dvec3 v = position - r.position;
                 const double length = glm::length(v);
                 if (length < s.radius)
@@ -216,6 +236,7 @@ double hbao_plus(const picture& p, const receiver& r, const settings& s,
             occlusion += most;
             count += 1;
         }
+    }
     return count > 0 ? occlusion / count : 0;
 }
 

@@ -24,6 +24,14 @@ struct tap {
     int x, y;
     glm::dvec3 point;
     glm::dvec3 azimuth{0}; ///< of ordered taps: the marched direction, unit, across the direction to the eye
+    int step = 0;          ///< of its direction, from 0, those off the picture counted
+};
+
+/// How a fold comes to the layers behind the front ones.
+struct deferral {
+    int looks = 0; ///< taps of each four steps behind which to look, after all fronts of their direction; 0:
+                   ///< each tap looks at all layers at once
+    bool skip = false; ///< not behind a front surface that settles its tap
 };
 
 /// The receiver of a pixel.
@@ -52,11 +60,10 @@ std::vector<std::vector<tap>> hemisphere_points(const picture& p, const receiver
 /// Occlusion in [0, 1] of a receiver from its taps.
 double ssao(const picture& p, const receiver& r, const settings& s,
             const std::vector<std::vector<tap>>& taps);
-/// @param fronts_first  whether a direction's front layers come before those behind any of them
 double hbao(const picture& p, const receiver& r, const settings& s, const std::vector<std::vector<tap>>& taps,
-            bool fronts_first = false);
+            deferral how = {});
 double hbao_plus(const picture& p, const receiver& r, const settings& s,
-                 const std::vector<std::vector<tap>>& taps);
+                 const std::vector<std::vector<tap>>& taps, deferral how = {});
 
 /// A picture of visibilities, with the linear depth that filters read.
 struct visibility_image {

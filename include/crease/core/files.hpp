@@ -20,6 +20,11 @@ inline constexpr glsl_file receiver_glsl{
 #include <crease/core/receiver.glsl>
 };
 
+inline constexpr glsl_file batch_glsl{
+    "core/batch.glsl",
+#include <crease/core/batch.glsl>
+};
+
 inline constexpr glsl_file gather_glsl{
     "core/gather.glsl",
 #include <crease/core/gather.glsl>

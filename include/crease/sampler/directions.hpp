@@ -25,7 +25,7 @@ struct directions_part {
         .glsl = &directions_glsl,
         .helpers = helpers,
         .numbers = takes,
-        .offers = traits<screen_taps, ordered_taps, known_directions, indexed_taps>::list,
+        .offers = traits<screen_taps, ordered_taps, known_directions>::list,
     };
 };
 

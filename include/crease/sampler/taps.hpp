@@ -35,10 +35,6 @@ CREASE_TRAIT(area_taps, sampler,
 CREASE_TRAIT(sample_area_taps, sampler,
              "the estimator needs the area of the sample box, which the sampler does not propose");
 
-/// Taps that crease_pattern_tap gives in any order, and any of them again.
-CREASE_TRAIT(indexed_taps, sampler,
-             "the fold comes back to single taps, which the sampler proposes in order only");
-
 inline constexpr glsl_file area_tap_glsl{
     "sampler/area_tap.glsl",
 #include <crease/sampler/area_tap.glsl>

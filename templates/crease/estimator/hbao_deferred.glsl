@@ -13,8 +13,9 @@ void crease_estimate_resume(inout crease_estimate estimate, crease_estimate ther
     estimate.steepness = there.steepness;
 }
 
-crease_contribution crease_front_again(crease_estimate estimate, crease_receiver receiver, crease_tap tap) {
-    return crease_contribution(0.0, estimate.horizon); // the horizon is as high as the front surface
+// What layers behind a front surface have to exceed: the horizon is as high as that surface.
+crease_contribution crease_estimate_least(crease_estimate estimate, crease_contribution front) {
+    return crease_contribution(0.0, estimate.horizon);
 }
 
 void crease_estimate_raise(inout crease_estimate estimate, crease_contribution front, crease_contribution most) {

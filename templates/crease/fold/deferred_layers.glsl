@@ -2,133 +2,125 @@
 R"glsl("
 #endif
 // SPDX-License-Identifier: MIT
-// The loop of every technique in two: the front surface of each tap, and then the layers behind those where they may
-// matter, tap after tap. Lanes that run together go through the second loop as often as the one of them with the most
-// such taps; where each tap is done at once, all lanes wait at a tap for which any of them looks behind the front.
+// The loop of every technique in two: the front surface of each tap, and then, of each batch of taps, the layers behind
+// the first front surfaces where they may matter. Nothing branches on what is found, so no lane waits for another.
 
+vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
 crease_pattern crease_pattern_begin(crease_receiver receiver);
 int crease_direction_count();
-int crease_step_count();
-vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
-crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
+int crease_group_count();
+crease_batch crease_ask(inout crease_pattern pattern, crease_receiver receiver, int first, int count);
+int crease_batches();
+int crease_first_of(int batch);
+int crease_count_of(int batch);
 vec3 crease_view_position(vec2 texel, float depth);
 crease_estimate crease_estimate_begin(crease_receiver receiver);
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position);
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
 float crease_estimate_occlusion(crease_estimate estimate);
-crease_layers crease_fetch_layers(vec2 texel);
 float crease_front_of(crease_layers layers);
 bool crease_look_behind(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 front, bool by_angle);
-crease_contribution crease_fold_groups(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
-                                       crease_contribution most, int first, bool look);
+crease_groups crease_fetch_groups(vec2 texel, int first);
+crease_contribution crease_fold_fetched(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                        crease_contribution most, crease_groups groups, int first, bool look);
 void crease_estimate_resume(inout crease_estimate estimate, crease_estimate there);
-crease_contribution crease_front_again(crease_estimate estimate, crease_receiver receiver, crease_tap tap);
+crease_contribution crease_estimate_least(crease_estimate estimate, crease_contribution front);
 void crease_estimate_raise(inout crease_estimate estimate, crease_contribution front, crease_contribution most);
 crease_gathered crease_gathered_begin();
 
-const int crease_batch = 4; // taps whose fronts are fetched before any is weighed, so that the waits overlap
-const int crease_most_kept = 8; // directions whose state is kept until the second loop
-const int crease_most_wanted = 32; // taps, a bit each
+const int crease_most_batches = 16; // together: those of the most steps of a direction
+const int crease_most_looks = crease_most_batches * crease_batch_size;
+const int crease_most_groups_kept = 32; // of all looks, where all directions are together
 
-// The fronts of `count` taps of a direction, and as bits those behind which to look.
-uint crease_take_fronts(inout crease_estimate estimate, inout crease_pattern pattern, crease_receiver receiver,
-                        int first, int count) {
-    crease_tap taps[crease_batch];
-    crease_layers layers[crease_batch];
+// A tap behind whose front surface to look.
+struct crease_look {
+    crease_tap tap;
+    crease_contribution front;
+    bool wanted;
+};
+
+// The first taps of a batch behind which to look.
+struct crease_looks {
+    crease_look of_batch[crease_batch_size];
+};
+
+void crease_look_for(inout crease_looks looks, crease_look look) {
+    crease_unroll for (int i = 0; i < crease_deferred_layers_looks; ++i) {
+        bool here = look.wanted && !looks.of_batch[i].wanted;
+        if (here)
+            looks.of_batch[i] = look;
+        look.wanted = look.wanted && !here;
+    }
+}
+
+crease_looks crease_take_fronts(inout crease_estimate estimate, crease_receiver receiver, crease_batch batch,
+                                int count) {
+    crease_looks looks;
+    crease_unroll for (int i = 0; i < crease_batch_size; ++i)
+        looks.of_batch[i].wanted = false;
+    crease_unroll for (int i = 0; i < crease_batch_size; ++i)
+        if (i < count) {
+            crease_tap tap = batch.taps[i];
+            vec3 position = crease_view_position(tap.texel, crease_front_of(batch.layers[i]));
+            crease_contribution front = crease_weigh(estimate, receiver, tap, position);
+            bool behind =
+                crease_look_behind(estimate, receiver, tap, position, crease_deferred_layers_angle != 0);
+            crease_look_for(looks, crease_look(tap, front, tap.inside && behind));
+            if (tap.inside)
+                crease_estimate_add(estimate, front);
+        }
+    return looks;
+}
+
+void crease_take_behind(inout crease_estimate estimate, crease_receiver receiver, crease_look look,
+                        crease_groups groups) {
+    crease_contribution least = crease_estimate_least(estimate, look.front);
+    crease_contribution most = crease_fold_fetched(estimate, receiver, look.tap, least, groups, 0, look.wanted);
+    if (look.wanted)
+        crease_estimate_raise(estimate, look.front, most);
+}
+
+// Batches are counted through all directions; here each direction of which there are any is whole, unless it has more
+// than are kept together.
+void crease_gather_batches(inout crease_estimate estimate, inout crease_pattern pattern, crease_receiver receiver,
+                           int first, int count) {
+    int each = crease_deferred_layers_looks;
+    crease_look looks[crease_most_looks];
+    crease_groups groups[crease_most_looks];
+    crease_estimate estimates[crease_most_batches]; // of the directions, after their fronts
     crease_unroll for (int i = 0; i < count; ++i) {
-        taps[i] = crease_pattern_tap(pattern, receiver, first + i);
-        layers[i] = crease_fetch_layers(taps[i].inside ? taps[i].texel : receiver.texel);
+        int batch = first + i, step = crease_first_of(batch), taps = crease_count_of(batch);
+        if (step == 0)
+            crease_estimate_turn(estimate, crease_pattern_turn(pattern, receiver, batch / crease_batches()));
+        crease_looks found =
+            crease_take_fronts(estimate, receiver, crease_ask(pattern, receiver, step, taps), taps);
+        crease_unroll for (int j = 0; j < each; ++j)
+            looks[i * each + j] = found.of_batch[j];
+        estimates[i / crease_batches()] = estimate;
     }
-    uint wanted = 0u;
-    crease_unroll for (int i = 0; i < count; ++i) {
-        vec3 front = crease_view_position(taps[i].texel, crease_front_of(layers[i]));
-        crease_contribution contribution = crease_weigh(estimate, receiver, taps[i], front);
-        bool look = taps[i].inside &&
-            crease_look_behind(estimate, receiver, taps[i], front, crease_deferred_layers_angle != 0);
-        wanted |= look ? 1u << uint(i) : 0u;
-        if (taps[i].inside)
-            crease_estimate_add(estimate, contribution);
+    crease_unroll for (int i = 0; i < count * each; ++i)
+        groups[i] = crease_fetch_groups(looks[i].wanted ? looks[i].tap.texel : receiver.texel, 0);
+    crease_unroll for (int i = 0; i < count * each; ++i) {
+        if (i % (crease_batches() * each) == 0)
+            crease_estimate_resume(estimate, estimates[i / (crease_batches() * each)]);
+        crease_take_behind(estimate, receiver, looks[i], groups[i]);
     }
-    return wanted;
-}
-
-// The same of up to 32 taps.
-uint crease_march_fronts(inout crease_estimate estimate, inout crease_pattern pattern, crease_receiver receiver,
-                         int first, int count) {
-    int rest = count % crease_batch, whole = count - rest;
-    uint wanted = 0u;
-    crease_unroll for (int step = 0; step < whole; step += crease_batch)
-        wanted |= crease_take_fronts(estimate, pattern, receiver, first + step, crease_batch) << uint(step);
-    return wanted | crease_take_fronts(estimate, pattern, receiver, first + whole, rest) << uint(whole);
-}
-
-void crease_take_behind(inout crease_estimate estimate, inout crease_pattern pattern, crease_receiver receiver,
-                        int step) {
-    crease_tap tap = crease_pattern_tap(pattern, receiver, step);
-    crease_contribution front = crease_front_again(estimate, receiver, tap);
-    crease_estimate_raise(estimate, front, crease_fold_groups(estimate, receiver, tap, front, 0, true));
-}
-
-// One second loop for all directions.
-void crease_gather_kept(inout crease_estimate estimate, inout crease_pattern pattern, crease_receiver receiver) {
-    crease_pattern patterns[crease_most_kept];
-    crease_estimate estimates[crease_most_kept];
-    uint wanted = 0u;
-    crease_unroll for (int i = 0; i < crease_direction_count(); ++i) {
-        crease_estimate_turn(estimate, crease_pattern_turn(pattern, receiver, i));
-        wanted |= crease_march_fronts(estimate, pattern, receiver, 0, crease_step_count())
-            << uint(i * crease_step_count());
-        patterns[i] = pattern;
-        estimates[i] = estimate;
-    }
-    while (wanted != 0u) {
-        int next = findLSB(wanted);
-        wanted &= wanted - 1u;
-        int direction = next / crease_step_count();
-        crease_estimate there = estimates[0];
-        pattern = patterns[0];
-        crease_unroll for (int i = 1; i < crease_direction_count(); ++i)
-            if (i == direction) {
-                there = estimates[i];
-                pattern = patterns[i];
-            }
-        crease_estimate_resume(estimate, there);
-        crease_take_behind(estimate, pattern, receiver, next - direction * crease_step_count());
-        crease_unroll for (int i = 0; i < crease_direction_count(); ++i)
-            if (i == direction)
-                estimates[i] = estimate;
-    }
-}
-
-// A second loop for up to 32 taps of a direction.
-void crease_gather_steps(inout crease_estimate estimate, inout crease_pattern pattern, crease_receiver receiver,
-                         int first, int count) {
-    uint wanted = crease_march_fronts(estimate, pattern, receiver, first, count);
-    while (wanted != 0u) {
-        crease_take_behind(estimate, pattern, receiver, first + findLSB(wanted));
-        wanted &= wanted - 1u;
-    }
-}
-
-void crease_gather_direction(inout crease_estimate estimate, inout crease_pattern pattern, crease_receiver receiver,
-                             int i) {
-    crease_estimate_turn(estimate, crease_pattern_turn(pattern, receiver, i));
-    int rest = crease_step_count() % crease_most_wanted, whole = crease_step_count() - rest;
-    for (int first = 0; first < whole; first += crease_most_wanted)
-        crease_gather_steps(estimate, pattern, receiver, first, crease_most_wanted);
-    crease_gather_steps(estimate, pattern, receiver, whole, rest);
 }
 
 crease_gathered crease_gather(crease_receiver receiver) {
     crease_pattern pattern = crease_pattern_begin(receiver);
     crease_estimate estimate = crease_estimate_begin(receiver);
-    if (crease_direction_count() <= crease_most_kept &&
-        crease_direction_count() * crease_step_count() <= crease_most_wanted) {
-        crease_gather_kept(estimate, pattern, receiver);
+    int all = crease_direction_count() * crease_batches();
+    if (all <= crease_most_batches &&
+        all * crease_deferred_layers_looks * crease_group_count() <= crease_most_groups_kept) {
+        crease_gather_batches(estimate, pattern, receiver, 0, all);
     } else {
-        for (int i = 0; i < crease_direction_count(); ++i)
-            crease_gather_direction(estimate, pattern, receiver, i);
+        int together = min(crease_batches(), crease_most_batches), rest = all % together;
+        for (int batch = 0; batch < all - rest; batch += together)
+            crease_gather_batches(estimate, pattern, receiver, batch, together);
+        if (rest > 0)
+            crease_gather_batches(estimate, pattern, receiver, all - rest, rest);
     }
     crease_gathered gathered = crease_gathered_begin();
     gathered.occlusion = crease_estimate_occlusion(estimate);

@@ -32,21 +32,36 @@ crease_contribution crease_fold_others(crease_estimate estimate, crease_receiver
 
 const int crease_most_groups = 8; // of 32 layers
 
-// The groups from `first` on, where any may matter: all are fetched before any is weighed, so that the waits overlap.
-crease_contribution crease_fold_groups(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
-                                       crease_contribution most, int first, bool look) {
-    vec4 groups[crease_most_groups];
-    if (look) {
-        crease_unroll for (int group = first; group < crease_group_count(); ++group)
-            groups[group] = crease_fetch_group(tap.texel, group);
-    }
+struct crease_groups {
+    vec4 depths[crease_most_groups];
+};
+
+// The groups from `first` on, all before any is weighed, so that the waits overlap.
+crease_groups crease_fetch_groups(vec2 texel, int first) {
+    crease_groups groups;
+    crease_unroll for (int group = first; group < crease_group_count(); ++group)
+        groups.depths[group] = crease_fetch_group(texel, group);
+    return groups;
+}
+
+crease_contribution crease_fold_fetched(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                        crease_contribution most, crease_groups groups, int first, bool look) {
     crease_unroll for (int group = first; group < crease_group_count(); ++group)
         if (look) {
-            most = crease_fold_layer(estimate, receiver, tap, most, groups[group].x);
-            most = crease_fold_others(estimate, receiver, tap, most, groups[group]);
-            look = groups[group].w < crease_background;
+            most = crease_fold_layer(estimate, receiver, tap, most, groups.depths[group].x);
+            most = crease_fold_others(estimate, receiver, tap, most, groups.depths[group]);
+            look = groups.depths[group].w < crease_background;
         }
     return most;
+}
+
+// The groups from `first` on, where any may matter.
+crease_contribution crease_fold_groups(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                       crease_contribution most, int first, bool look) {
+    crease_groups groups;
+    if (look)
+        groups = crease_fetch_groups(tap.texel, first);
+    return crease_fold_fetched(estimate, receiver, tap, most, groups, first, look);
 }
 #ifdef __cplusplus
 ")glsl"

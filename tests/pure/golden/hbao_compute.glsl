@@ -343,31 +343,13 @@ crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiv
     return most;
 }
 // SPDX-License-Identifier: MIT
-// The loop of every technique: each tap of the sampler, each layer of the depth source, weighed by the estimator.
+// Taps of a direction that are asked for together.
 
-crease_pattern crease_pattern_begin(crease_receiver receiver);
-int crease_direction_count();
 int crease_step_count();
-int crease_layer_count();
-vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
-crease_estimate crease_estimate_begin(crease_receiver receiver);
-void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);
 crease_layers crease_fetch_layers(vec2 texel);
-crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
-                                crease_layers layers);
-void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
-float crease_estimate_occlusion(crease_estimate estimate);
-crease_gathered crease_gathered_begin();
-void crease_gathered_tap(inout crease_gathered gathered, crease_receiver receiver, crease_tap tap,
-                         crease_contribution contribution);
-void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiver, crease_estimate estimate,
-                          vec2 direction);
 
 const int crease_batch_size = 4;
-// No loop is left where it is short, as a loop costs some drivers dearly: up to so many taps of a direction, and so
-// many layers of all taps.
-const int crease_written_out = 8, crease_all_written_out = 128;
 
 // Taps whose layers are fetched before any is weighed, so that the waits overlap.
 struct crease_batch {
@@ -385,6 +367,38 @@ crease_batch crease_ask(inout crease_pattern pattern, crease_receiver receiver, 
     return batch;
 }
 
+// A batch of the directions, counted through all of them: where it begins in its direction, and how many taps it has.
+int crease_batches() { return (crease_step_count() + crease_batch_size - 1) / crease_batch_size; }
+int crease_first_of(int batch) { return batch % crease_batches() * crease_batch_size; }
+int crease_count_of(int batch) { return min(crease_batch_size, crease_step_count() - crease_first_of(batch)); }
+// SPDX-License-Identifier: MIT
+// The loop of every technique: each tap of the sampler, each layer of the depth source, weighed by the estimator.
+
+crease_pattern crease_pattern_begin(crease_receiver receiver);
+int crease_direction_count();
+int crease_step_count();
+int crease_layer_count();
+vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
+crease_batch crease_ask(inout crease_pattern pattern, crease_receiver receiver, int first, int count);
+int crease_batches();
+int crease_first_of(int batch);
+int crease_count_of(int batch);
+crease_estimate crease_estimate_begin(crease_receiver receiver);
+void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);
+crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                crease_layers layers);
+void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
+float crease_estimate_occlusion(crease_estimate estimate);
+crease_gathered crease_gathered_begin();
+void crease_gathered_tap(inout crease_gathered gathered, crease_receiver receiver, crease_tap tap,
+                         crease_contribution contribution);
+void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiver, crease_estimate estimate,
+                          vec2 direction);
+
+// No loop is left where it is short, as a loop costs some drivers dearly: up to so many taps of a direction, and so
+// many layers of all taps.
+const int crease_written_out = 8, crease_all_written_out = 128;
+
 void crease_take(inout crease_estimate estimate, inout crease_gathered gathered, crease_receiver receiver,
                  crease_batch batch, int count) {
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
@@ -395,11 +409,6 @@ void crease_take(inout crease_estimate estimate, inout crease_gathered gathered,
             crease_gathered_tap(gathered, receiver, batch.taps[i], contribution);
         }
 }
-
-// A batch of the directions, counted through all of them: where it begins in its direction, and how many taps it has.
-int crease_batches() { return (crease_step_count() + crease_batch_size - 1) / crease_batch_size; }
-int crease_first_of(int batch) { return batch % crease_batches() * crease_batch_size; }
-int crease_count_of(int batch) { return min(crease_batch_size, crease_step_count() - crease_first_of(batch)); }
 
 void crease_take_in_turn(inout crease_estimate estimate, inout crease_gathered gathered, crease_receiver receiver,
                          crease_batch taken, vec2 direction, int batch) {
