@@ -218,7 +218,7 @@ double hbao_plus(const picture& p, const receiver& r, const settings& s,
                  const std::vector<std::vector<tap>>& taps, deferral how) {
     double occlusion = 0, count = 0;
     for (const std::vector<tap>& direction : taps) {
-        std::map<int, int> looks; // of each four steps
+        std::map<int, unsigned> looks; // of each four steps
         for (const tap& t : direction) {
             const std::vector<glm::dvec3> layers = p.positions(t.x, t.y);
             // Away from the eye leads further down from a front surface below the tangent plane.

@@ -29,8 +29,8 @@ struct tap {
 
 /// How a fold comes to the layers behind the front ones.
 struct deferral {
-    int looks = 0; ///< taps of each four steps behind which to look, after all fronts of their direction; 0:
-                   ///< each tap looks at all layers at once
+    unsigned looks = 0; ///< taps of each four steps behind which to look, after all fronts of their
+                        ///< direction; 0: each tap looks at all layers at once
     bool skip = false; ///< not behind a front surface that settles its tap
 };
 

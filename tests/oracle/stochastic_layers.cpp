@@ -199,7 +199,7 @@ TEST_CASE("layers behind come after all fronts of their direction, of the first 
                             {"poisson_disk:70", 0, 70, false}};
     for (const shape& of : shapes)
         for (bool skip : {false, true})
-            for (int looks : {1, 3}) {
+            for (unsigned looks : {1u, 3u}) {
                 CAPTURE(of.sampler);
                 CAPTURE(skip);
                 CAPTURE(looks);
