@@ -27,11 +27,11 @@ struct tap {
     int step = 0;          ///< of its direction, from 0, those off the picture counted
 };
 
-/// How a fold comes to the layers behind the front ones.
+/// How a fold comes to the layers behind the front ones: after all fronts of their direction, or where
+/// `looks` is 0 each tap looks at all layers at once.
 struct deferral {
-    unsigned looks = 0; ///< taps of each four steps behind which to look, after all fronts of their
-                        ///< direction; 0: each tap looks at all layers at once
-    bool skip = false; ///< not behind a front surface that settles its tap
+    unsigned looks = 0; ///< taps of each four steps behind which to look
+    bool skip = false;  ///< not behind a front surface that settles its tap
 };
 
 /// The receiver of a pixel.
