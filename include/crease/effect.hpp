@@ -189,21 +189,30 @@ class effect {
         return whole;
     }
 
-    // The operator behind std::bit_cast, as a call of that function copies its argument.
+    template <std::size_t Program>
+    using interface_block = joining::block<draft<Program>.interface.size()>;
+
     template <std::size_t Program, std::size_t... I>
-    static constexpr auto join(std::index_sequence<I...>) {
-        using namespace joining;
-        using interface_block = block<draft<Program>.interface.size()>;
-        using whole =
-            joined<placed<0, interface_block>, placed<1 + I, block<draft<Program>.files[I]->text.size()>>...,
-                   placed<1 + sizeof...(I), block<1>>>;
-        return text_of<whole>{whole{{__builtin_bit_cast(interface_block, interface_characters<Program>)},
-                                    {block_of<draft<Program>.files[I]>}...,
-                                    {block<1>{{'\0'}}}}};
+    using joined_blocks =
+        joining::joined<joining::placed<0, interface_block<Program>>,
+                        joining::placed<1 + I, joining::block<draft<Program>.files[I]->text.size()>>...,
+                        joining::placed<1 + sizeof...(I), joining::block<1>>>;
+
+    // A variable and the operator behind std::bit_cast: a compiler copies the results and arguments of calls.
+    template <std::size_t Program, std::size_t... I>
+    static constexpr joining::text_of<joined_blocks<Program, I...>> joined_text{
+        {{__builtin_bit_cast(interface_block<Program>, interface_characters<Program>)},
+         {joining::block_of<draft<Program>.files[I]>}...,
+         {joining::block<1>{{'\0'}}}}};
+
+    template <std::size_t Program, std::size_t... I>
+    static constexpr std::string_view join(std::index_sequence<I...>) {
+        return {joined_text<Program, I...>.characters, sizeof(joined_text<Program, I...>) - 1};
     }
 
     template <std::size_t Program>
-    static constexpr auto text = join<Program>(std::make_index_sequence<draft<Program>.files.size()>{});
+    static constexpr std::string_view
+        text = join<Program>(std::make_index_sequence<draft<Program>.files.size()>{});
 
     template <std::size_t... I>
     static constexpr std::array<pass, pass_count> list_passes(std::index_sequence<I...>) {
@@ -235,12 +244,11 @@ public:
     /// The whole text of a pass, NUL-terminated, with static storage; made only where it is named. Its
     /// characters are read at run time, as they are kept in words; constant expressions read `pieces`.
     template <std::size_t Pass>
-    static constexpr std::string_view source{text<capture_count + Pass>.characters,
-                                             sizeof(text<capture_count + Pass>) - 1};
+    static constexpr std::string_view source = text<capture_count + Pass>;
 
     /// The whole text of a capture, likewise.
     template <std::size_t Capture>
-    static constexpr std::string_view capture_source{text<Capture>.characters, sizeof(text<Capture>) - 1};
+    static constexpr std::string_view capture_source = text<Capture>;
 
     /// The effect as data, for a renderer.
     static constexpr effect_view view() { return {captures, passes, resources, features, defaults}; }
