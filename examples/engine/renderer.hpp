@@ -170,7 +170,7 @@ private:
         const VkInstanceCreateInfo info{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
                                         .pApplicationInfo = &application};
         if (vkCreateInstance(&info, nullptr, &instance_) != VK_SUCCESS)
-            throw std::runtime_error("there is no Vulkan driver");
+            throw std::runtime_error("there is no Vulkan driver: install one, such as Mesa lavapipe");
         cleanup_.push_back([instance = instance_] { vkDestroyInstance(instance, nullptr); });
     }
 
@@ -187,7 +187,8 @@ private:
                 return;
             }
         }
-        throw std::runtime_error("no Vulkan device has graphics, compute and the features wanted");
+        throw std::runtime_error("no Vulkan device has graphics, compute and the features wanted: install "
+                                 "another driver, such as Mesa lavapipe");
     }
 
     static bool cover(const VkPhysicalDeviceFeatures& has, const VkPhysicalDeviceFeatures& wanted) {
@@ -234,7 +235,7 @@ private:
                                                 .memoryTypeIndex = type};
                 return make<VkDeviceMemory>(vkAllocateMemory, info, vkFreeMemory);
             }
-        throw std::runtime_error("the device has no memory of the kind wanted");
+        throw std::runtime_error("the device has no memory of the kind wanted: choose another device");
     }
 
     VkInstance instance_{};

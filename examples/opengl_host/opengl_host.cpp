@@ -18,15 +18,16 @@ namespace {
 void make_context() {
     if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless"))
         throw std::runtime_error("EGL cannot work without a window system here: "
-                                 "EGL_MESA_platform_surfaceless is missing");
+                                 "EGL_MESA_platform_surfaceless is missing; install Mesa's EGL");
     const EGLDisplay display =
         eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     const EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 3, EGL_NONE};
     if (!eglInitialize(display, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API))
-        throw std::runtime_error("EGL has no OpenGL");
+        throw std::runtime_error("EGL has no OpenGL: install a driver, such as Mesa llvmpipe");
     const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted);
     if (context == EGL_NO_CONTEXT || !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
-        throw std::runtime_error("there is no OpenGL 4.3");
+        throw std::runtime_error(
+            "there is no OpenGL 4.3: install a driver that has it, such as Mesa llvmpipe");
 }
 
 void attach(GLuint program, GLenum stage, std::span<const crease::piece> pieces) {
@@ -182,7 +183,7 @@ int main(int count, char** arguments) {
 
         const auto visibility = render(corner::device_depth(projection, clip), parameters);
         if (count > 1 && !picture::write_pgm(arguments[1], visibility, false))
-            throw std::runtime_error("cannot write " + std::string(arguments[1]));
+            throw std::runtime_error("cannot write " + std::string(arguments[1]) + ": choose another path");
         return corner::plausible(visibility, projection) ? 0 : 1;
     } catch (const std::exception& failure) {
         std::cerr << "opengl_host: " << failure.what() << '\n';

@@ -57,7 +57,6 @@ struct fixed_text {
             digits[--first] = '-';
         return *this << std::string_view(digits + first, 12 - first);
     }
-    constexpr fixed_text& operator<<(unsigned value) { return *this << static_cast<int>(value); }
     constexpr std::string_view view() const { return {characters, count}; }
 };
 

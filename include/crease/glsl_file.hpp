@@ -22,8 +22,9 @@ struct glsl_file {
     // A compiler knows the length of a literal; anything else it counts and compares character by character.
     constexpr glsl_file(std::string_view file, const char* literal)
         : name(file), text(literal, __builtin_strlen(literal)) {
-        constexpr std::size_t opening = 9, closing = 20; // of the fence within the quotes
-        if (literal[0] == '"') {                         // GLSL has none
+        constexpr std::size_t opening = sizeof "\"\n#endif\n" - 1,
+                              closing = sizeof "#ifdef __cplusplus\n\"" - 1;
+        if (literal[0] == '"') { // GLSL has none
             text = {literal + opening, text.size() - opening - closing};
             first_line = 4;
         }

@@ -114,9 +114,10 @@ struct step {
 struct capture_step {
     std::string_view name;
     const glsl_file* body = nullptr;
-    array_view<const role> includes{}; ///< roles whose functions the body calls
-    std::string_view writes{};         ///< the part's own resource
-    access how = access::attachment;   ///< or modify
+    array_view<const role> includes{};            ///< roles whose functions the body calls
+    array_view<const glsl_file* const> helpers{}; ///< what the body calls besides
+    std::string_view writes{};                    ///< the part's own resource
+    access how = access::attachment;              ///< or modify
 };
 
 /// GLSL of a part that is there only where another part, or one of its steps, needs it.

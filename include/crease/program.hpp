@@ -374,6 +374,8 @@ constexpr program write_program(const plan& p, const planned_capture& capture) {
     to.add_file(&parameters_glsl);
     to.add_file(&types_glsl);
     to.add_files_of(s.includes);
+    for (const glsl_file* helper : s.helpers)
+        to.add_file(helper);
     to.add_file(s.body);
     to.bind("parameters", 0, access::uniform);
     for (role r : s.includes)

@@ -115,7 +115,13 @@ std::string structs_for(const std::string& text) {
             return;
         const std::string from = read(fs::path(CREASE_TEMPLATES) / file);
         const std::size_t begin = from.find(wanted);
-        structs += from.substr(begin, from.find(ends, begin) + ends.size() - begin) + "\n";
+        const std::string found = from.substr(begin, from.find(ends, begin) + ends.size() - begin) + "\n";
+        std::istringstream lines(from);
+        for (std::string line; std::getline(lines, line);)
+            if (line.starts_with("const int ") &&
+                found.find('[' + line.substr(10, line.find(' ', 10) - 10) + ']') != std::string::npos)
+                structs += line + "\n"; // the size of an array in it
+        structs += found;
     };
     const auto holds = [&](std::string_view word) { return text.find(word) != std::string::npos; };
     add("crease_result",
@@ -147,6 +153,8 @@ std::string structs_for(const std::string& text) {
         : areas  ? "estimator/mean_height.glsl"
                  : "estimator/hbao.glsl",
         "};");
+    add("crease_groups", "fold/groups.glsl", "};");
+    add("crease_batch", "core/batch.glsl", "};");
     return structs;
 }
 

@@ -21,6 +21,7 @@ struct centred_samples_part {
     static constexpr capture_step draws{.name = "layers",
                                         .body = &centred_samples_draw_glsl,
                                         .includes = multisampled_part::drawing,
+                                        .helpers = multisampled_part::masking,
                                         .writes = "captured_layers",
                                         .how = access::attachment};
     static constexpr part description{

@@ -10,6 +10,11 @@ inline constexpr glsl_file multisampled_glsl{
 #include <crease/capture/multisampled.glsl>
 };
 
+inline constexpr glsl_file sample_mask_glsl{
+    "capture/sample_mask.glsl",
+#include <crease/capture/sample_mask.glsl>
+};
+
 inline constexpr glsl_file multisampled_draw_glsl{
     "capture/multisampled_draw.glsl",
 #include <crease/capture/multisampled_draw.glsl>
@@ -22,9 +27,11 @@ struct multisampled_part {
                                            .size = {.guarded = true},
                                            .samples_by = {.number = 0}}};
     static constexpr role drawing[] = {role::projection, role::layer_sampling};
+    static constexpr const glsl_file* masking[] = {&sample_mask_glsl};
     static constexpr capture_step draws{.name = "layers",
                                         .body = &multisampled_draw_glsl,
                                         .includes = drawing,
+                                        .helpers = masking,
                                         .writes = "captured_layers",
                                         .how = access::attachment};
     static constexpr part description{
