@@ -73,8 +73,8 @@ int main(int count, char** arguments) {
         renderer gpu({.fragmentStoresAndAtomics = layered::features.fragment_stores_and_atomics,
                       .shaderStorageImageExtendedFormats = layered::features.extended_storage_formats});
         const pictures made = render(gpu);
-        if (count > 1 && !picture::write_pgm(arguments[1], made.with_layers, true))
-            throw std::runtime_error("cannot write " + std::string(arguments[1]) + ": choose another path");
+        if (count > 1)
+            picture::write_pgm(arguments[1], made.with_layers, true);
         if (!plausible(made))
             throw std::runtime_error(
                 "the layers should darken the wall by 0.05 beside the screen and nowhere "

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <fstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -27,14 +28,16 @@ inline float mean_around(const std::vector<std::uint8_t>& visibility, const matr
 }
 
 /// Writes a PGM picture, top row first.
-inline bool write_pgm(const std::string& path, const std::vector<std::uint8_t>& visibility,
+/// @throws std::runtime_error  where the file cannot be written
+inline void write_pgm(const std::string& path, const std::vector<std::uint8_t>& visibility,
                       bool top_row_first) {
     std::ofstream file(path, std::ios::binary);
     file << "P5\n" << width << ' ' << height << "\n255\n";
     for (unsigned row = 0; row < height; ++row)
         for (unsigned i = 0; i < width; ++i)
             file.put(static_cast<char>(visibility[(top_row_first ? row : height - 1 - row) * width + i]));
-    return static_cast<bool>(file.flush());
+    if (!file.flush())
+        throw std::runtime_error("cannot write " + path + ": choose another path");
 }
 
 }

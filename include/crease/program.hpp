@@ -55,12 +55,16 @@ public:
             out.files.add(file);
     }
 
+    constexpr void add_files(array_view<const glsl_file* const> files) {
+        for (const glsl_file* file : files)
+            add_file(file);
+    }
+
     /// The files of parts of these roles; an extra comes after its part, where another of them needs it.
     constexpr void add_files_of(array_view<const role> roles) {
         for (role r : roles)
             if (const choice* c = plan_.find(r)) {
-                for (const glsl_file* helper : c->what->helpers)
-                    add_file(helper);
+                add_files(c->what->helpers);
                 add_file(c->what->glsl);
                 for (const extra& e : c->what->extras)
                     for (role other : roles)
@@ -326,8 +330,7 @@ constexpr program write_build(const plan& p, const planned_pass& pass) {
         for (const extra& e : c.what->extras)
             if (has(s.needs, e.on_need))
                 to.add_file(e.glsl);
-    for (const glsl_file* helper : s.helpers)
-        to.add_file(helper);
+    to.add_files(s.helpers);
     to.add_file(s.body);
     to.add_file(shell_of(s.kind));
 
@@ -374,8 +377,7 @@ constexpr program write_program(const plan& p, const planned_capture& capture) {
     to.add_file(&parameters_glsl);
     to.add_file(&types_glsl);
     to.add_files_of(s.includes);
-    for (const glsl_file* helper : s.helpers)
-        to.add_file(helper);
+    to.add_files(s.helpers);
     to.add_file(s.body);
     to.bind("parameters", 0, access::uniform);
     for (role r : s.includes)

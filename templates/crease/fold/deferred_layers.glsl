@@ -5,8 +5,8 @@ R"glsl("
 // The loop of every technique in two: the front surface of each tap, and then, of each batch of taps, the layers behind
 // the first front surfaces where they may matter. Nothing branches on what is found, so no lane waits for another.
 
-vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
 crease_pattern crease_pattern_begin(crease_receiver receiver);
+vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
 int crease_direction_count();
 int crease_group_count();
 crease_batch crease_ask(inout crease_pattern pattern, crease_receiver receiver, int first, int count);
