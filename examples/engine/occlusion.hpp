@@ -7,6 +7,7 @@
 #include <crease/spirv.hpp>
 
 #include <span>
+#include <stdexcept>
 
 /// What the engine adds to its renderer to run an effect of crease: compute passes over texels, without
 /// multisampled images and history.
@@ -94,13 +95,32 @@ private:
         VkPipeline pipeline;
     };
 
+    static VkFormat format_of(crease::format texels) {
+        switch (texels) {
+        case crease::format::r8_unorm:
+            return VK_FORMAT_R8_UNORM;
+        case crease::format::rgba8_unorm:
+            return VK_FORMAT_R8G8B8A8_UNORM;
+        case crease::format::r32_uint:
+            return VK_FORMAT_R32_UINT;
+        case crease::format::rg32_uint:
+            return VK_FORMAT_R32G32_UINT;
+        case crease::format::r32_float:
+            return VK_FORMAT_R32_SFLOAT;
+        case crease::format::rg32_float:
+            return VK_FORMAT_R32G32_SFLOAT;
+        case crease::format::rgba16_float:
+            return VK_FORMAT_R16G16B16A16_SFLOAT;
+        case crease::format::rgba32_float:
+            return VK_FORMAT_R32G32B32A32_SFLOAT;
+        default:
+            throw std::runtime_error("a format that crease does not write");
+        }
+    }
+
     image& make_image(const crease::resource& of, VkExtent3D picture) {
-        constexpr VkFormat formats[] = {
-            VK_FORMAT_UNDEFINED,           VK_FORMAT_R8_UNORM,           VK_FORMAT_R32_UINT,
-            VK_FORMAT_R32G32_UINT,         VK_FORMAT_R32_SFLOAT,         VK_FORMAT_R32G32_SFLOAT,
-            VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_R32G32B32A32_SFLOAT};
         const VkExtent2D size{of.size.width_of(picture.width), of.size.height_of(picture.height)};
-        image& made = gpu_.make_image(size, formats[static_cast<unsigned>(of.texels)],
+        image& made = gpu_.make_image(size, format_of(of.texels),
                                       VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
                                           VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
                                       VK_IMAGE_ASPECT_COLOR_BIT, of.arrayed ? of.layers : 0);

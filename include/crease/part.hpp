@@ -73,6 +73,7 @@ struct encoding {
     std::string_view name;
     format texels;
     const glsl_file* glsl;
+    const glsl_file* helper = nullptr; ///< GLSL that must stand before `glsl`
 };
 
 /// A `const int` of one step; in GLSL crease_<part>_<name>.

@@ -37,6 +37,7 @@
 #include <crease/noise/hashed_noise.hpp>
 #include <crease/noise/tiled_noise.hpp>
 #include <crease/output/bent_cone.hpp>
+#include <crease/output/packed_bent_cone.hpp>
 #include <crease/output/shade.hpp>
 #include <crease/output/visibility_only.hpp>
 #include <crease/sampler/box_area.hpp>
@@ -105,6 +106,7 @@ inline constexpr const part* all_parts[] = {
     &anisotropic_threshold::description,
     &visibility_only::description,
     &bent_cone::description,
+    &packed_bent_cone::description,
     &shade_part::description,
     &bilateral_part::description,
     &upsample_part::description,

@@ -60,6 +60,11 @@ public:
             add_file(file);
     }
 
+    constexpr void add_file_of(const encoding& e) {
+        add_file(e.helper);
+        add_file(e.glsl);
+    }
+
     /// The files of parts of these roles; an extra comes after its part, where another of them needs it.
     constexpr void add_files_of(array_view<const role> roles) {
         for (role r : roles)
@@ -262,13 +267,13 @@ constexpr program write_evaluate(const plan& p, const planned_pass& pass) {
         to.add_file(&receive_glsl);
     }
     if (pass.input >= 0)
-        to.add_file(output.between->glsl);
+        to.add_file_of(*output.between);
     if (!functions) {
         if (!pass.last)
-            to.add_file(output.between->glsl);
+            to.add_file_of(*output.between);
         else
             for (const encoding* image : output.final_images)
-                to.add_file(image->glsl);
+                to.add_file_of(*image);
     }
     to.add_file(pass.body);
     to.add_file(stage.what->glsl);

@@ -12,6 +12,7 @@ namespace crease {
 enum class format : unsigned char {
     none,
     r8_unorm,
+    rgba8_unorm,
     r32_uint,
     rg32_uint,
     r32_float,
@@ -33,6 +34,7 @@ constexpr format_facts facts_of(format f) {
     constexpr format_facts all[] = {
         {"none", ""},
         {"r8_unorm", "r8", false, true},
+        {"rgba8_unorm", "rgba8"},
         {"r32_uint", "r32ui", true},
         {"rg32_uint", "rg32ui", true, true},
         {"r32_float", "r32f"},

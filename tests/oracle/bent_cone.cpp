@@ -13,17 +13,31 @@ namespace {
 using oracle::lens;
 using kind = oracle::surface::kind;
 
-/// The texels of the image bent_cone.
+/// The unit direction of a point of the octahedron |x| + |y| + |z| = 1, of which z < 0 is folded outwards.
+glm::dvec3 of_octahedron(glm::dvec2 point) {
+    const double z = 1 - std::abs(point.x) - std::abs(point.y);
+    const double x = z < 0 ? std::copysign(1 - std::abs(point.y), point.x) : point.x;
+    const double y = z < 0 ? std::copysign(1 - std::abs(point.x), point.y) : point.y;
+    return glm::normalize(glm::dvec3(x, y, z));
+}
+
+/// The bent normals and the angles of the cones.
 std::vector<glm::dvec4> run(const oracle::picture& p, const std::string& text, double radius, double bias) {
     const crease::recipe chosen{std::string_view(text)};
     REQUIRE_MESSAGE(static_cast<bool>(chosen), chosen.error());
     const auto composed = std::make_unique<crease::composition>(chosen);
     crease::parameters how = oracle::view_parameters(p, composed->view(), radius);
     how.bias = static_cast<float>(bias);
-    const std::vector<float> four = oracle::run(p, composed->view(), how, "bent_cone");
+    const bool packed = text.find("packed") != std::string::npos;
+    const std::vector<float> four =
+        oracle::run(p, composed->view(), how, packed ? "packed_bent_cone" : "bent_cone");
     std::vector<glm::dvec4> all;
-    for (std::size_t i = 0; i < four.size(); i += 4)
-        all.emplace_back(four[i], four[i + 1], four[i + 2], four[i + 3]);
+    for (std::size_t i = 0; i < four.size(); i += 4) {
+        const glm::dvec4 texel(four[i], four[i + 1], four[i + 2], four[i + 3]);
+        all.push_back(packed ? glm::dvec4(of_octahedron(glm::dvec2(texel) * 2.0 - 1.0),
+                                          texel.z * glm::half_pi<double>())
+                             : texel);
+    }
     return all;
 }
 
@@ -208,6 +222,49 @@ TEST_CASE("the picture's edge neither bends a normal nor narrows a cone") {
             CHECK(edge.w == doctest::Approx(middle.w).epsilon(0.1));
         }
     }
+}
+
+TEST_CASE("one texel holds what two images hold, to a byte each") {
+    const oracle::picture p = oracle::draw(oracle::still_life(), lens::standard, 97, 61);
+    for (const char* parts :
+         {"directions:6x4/single_layer/hbao/", "directions:6x4/single_layer/hbao_plus/fragment/",
+          "hemisphere_points:12/single_layer/ssao/", "directions:6x4/single_layer/hbao/bilateral/"}) {
+        CAPTURE(std::string(parts));
+        const std::vector<glm::dvec4> two = run(p, std::string(parts) + "bent_cone", 0.5, 0.15);
+        const std::vector<glm::dvec4> one = run(p, std::string(parts) + "packed_bent_cone", 0.5, 0.15);
+        double most_degrees = 0, most_apart = 0;
+        for (int y = 0; y < p.height; ++y)
+            for (int x = 0; x < p.width; ++x) {
+                const std::size_t i = p.index(x, y);
+                if (p.background(x, y)) {
+                    CHECK(one[i].w == doctest::Approx(glm::half_pi<double>()));
+                    continue;
+                }
+                most_degrees =
+                    std::max(most_degrees, degrees_between(glm::dvec3(one[i]), glm::dvec3(two[i])));
+                most_apart = std::max(most_apart, std::abs(one[i].w - two[i].w));
+            }
+        CHECK(most_degrees < 1);
+        CHECK(most_degrees > 0.1);
+        CHECK(most_apart < 0.5 / 255 * glm::half_pi<double>() + 0.001); // half a byte, and half floats
+    }
+}
+
+TEST_CASE("the alpha of a packed bent cone is the visibility") {
+    const oracle::picture p = oracle::draw(oracle::still_life(), lens::standard, 97, 61);
+    const auto image = [&](const std::string& text, std::string_view name) {
+        const crease::recipe chosen{std::string_view(text)};
+        REQUIRE_MESSAGE(static_cast<bool>(chosen), chosen.error());
+        const auto composed = std::make_unique<crease::composition>(chosen);
+        return oracle::run(p, composed->view(), oracle::view_parameters(p, composed->view(), 0.5), name);
+    };
+    const std::string parts = "directions:6x4/single_layer/hbao";
+    const std::vector<float> alone = image(parts, "visibility"),
+                             texels = image(parts + "/packed_bent_cone", "packed_bent_cone");
+    std::size_t apart = 0;
+    for (std::size_t i = 0; i < alone.size(); ++i)
+        apart += std::abs(alone[i] - texels[4 * i + 3]) > 1.5f / 255;
+    CHECK(apart == 0);
 }
 
 TEST_CASE("a filter keeps the bent normal of a plane") {

@@ -104,6 +104,24 @@ TEST_CASE("a second camera sees the side of a bar that the first sees from its e
     }
 }
 
+TEST_CASE("a bent normal that the second camera finds stands in the first one's space") {
+    const mesh scene = bar_on_wall();
+    const camera from = in_front();
+    camera aside = from;
+    aside.eye = {3, 0, -2};
+    aside.target = {0, 0, -6};
+    const frame both = render(
+        scene, from, "directions:8x6/stochastic_layers:4/hbao_plus/atomic_minimum/second_view:1/bent_cone", 0,
+        0.5f, aside);
+    glm::vec3 mean(0);
+    for (unsigned x = 106; x < 112; ++x) // the wall to the right of the bar
+        for (unsigned y = 55; y < 65; ++y)
+            mean += glm::vec3(both.bent->at(x, y, 0), both.bent->at(x, y, 1), both.bent->at(x, y, 2)) / 60.0f;
+    CHECK(mean.x > 0.15f);
+    CHECK(std::abs(mean.y) < 0.1f);
+    CHECK(mean.z > 0.7f);
+}
+
 TEST_CASE("the second camera is placed to the right and in front, turned to the middle") {
     crease::parameters p;
     crease::place_second_camera(p, 1, 2, 10);

@@ -23,10 +23,11 @@ vulkan::image_description described(format texels, std::uint32_t width, std::uin
 TEST_CASE("what is uploaded is downloaded") {
     vulkan::device& device = validated_device();
     for (const auto& [width, height] : {std::pair(1u, 1u), std::pair(7u, 5u), std::pair(641u, 359u)})
-        for (format texels : {format::r8_unorm, format::r32_float, format::rgba16_float, format::d32_float}) {
+        for (format texels : {format::r8_unorm, format::rgba8_unorm, format::r32_float, format::rgba16_float,
+                              format::d32_float}) {
             vulkan::image image(device, described(texels, width, height));
             std::vector<float> numbers(std::size_t{width} * height *
-                                       (texels == format::rgba16_float ? 4 : 1));
+                                       vulkan::detail::texel_of(texels).components);
             for (std::size_t i = 0; i < numbers.size(); ++i)
                 numbers[i] = static_cast<float>(i % 256) / 255;
             if (texels == format::rgba16_float)

@@ -35,9 +35,11 @@ TEST_CASE("a float becomes the nearest half, ties to even") {
     CHECK(half_of(-0.0f) == 0x8000);
 }
 
-TEST_CASE("r8_unorm rounds and clamps") {
+TEST_CASE("bytes are rounded and clamped") {
     const float numbers[] = {-1, 0, 0.5f, 1, 2, std::numeric_limits<float>::quiet_NaN()};
-    const std::vector<std::byte> bytes = vulkan::detail::bytes_of(numbers, format::r8_unorm);
-    CHECK(bytes == std::vector<std::byte>{std::byte{0}, std::byte{0}, std::byte{128}, std::byte{255},
-                                          std::byte{255}, std::byte{0}});
+    for (format texels : {format::r8_unorm, format::rgba8_unorm}) {
+        const std::vector<std::byte> bytes = vulkan::detail::bytes_of(numbers, texels);
+        CHECK(bytes == std::vector<std::byte>{std::byte{0}, std::byte{0}, std::byte{128}, std::byte{255},
+                                              std::byte{255}, std::byte{0}});
+    }
 }

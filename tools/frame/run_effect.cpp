@@ -5,9 +5,11 @@
 
 #include <crease/second_camera.hpp>
 
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <span>
 
@@ -63,6 +65,15 @@ void place_second(parameters& how, const gbuffer& inputs, const frame_options& o
     }
     const float middle = median(inputs.depth.texels);
     place_second_camera(how, middle / 4, middle / 4, middle);
+}
+
+/// The unit direction that a point of the octahedron stands for.
+glm::vec3 of_octahedron(glm::vec2 point) {
+    glm::vec3 direction(point, 1 - std::abs(point.x) - std::abs(point.y));
+    const float outside = std::max(-direction.z, 0.0f);
+    direction.x -= std::copysign(outside, direction.x);
+    direction.y -= std::copysign(outside, direction.y);
+    return glm::normalize(direction);
 }
 
 /// How the camera of a capture draws: of the second at the size of what it fills.
@@ -156,17 +167,24 @@ frame_times prepared_effect::run() {
 frame prepared_effect::picture() {
     const unsigned width = inputs_.depth.width, height = inputs_.depth.height;
     frame made{.visibility = image(width, height), .bent = {}, .cone = {}, .times = {}};
-    made.visibility.texels = runner_->download("visibility");
-    for (const resource& r : composed_->view().resources)
-        if (r.name == "bent_cone") {
-            made.bent = image(width, height, 3);
-            made.cone = image(width, height);
-            const std::vector<float> four = runner_->download(r.name);
-            for (std::size_t i = 0; i < made.cone->texels.size(); ++i) {
-                std::copy_n(&four[4 * i], 3, &made.bent->texels[3 * i]);
-                made.cone->texels[i] = four[4 * i + 3];
-            }
+    for (const resource& r : composed_->view().resources) {
+        if (r.name == "visibility")
+            made.visibility.texels = runner_->download(r.name);
+        const bool packed = r.name == "packed_bent_cone";
+        if (!packed && r.name != "bent_cone")
+            continue;
+        made.bent = image(width, height, 3);
+        made.cone = image(width, height);
+        const std::vector<float> four = runner_->download(r.name);
+        for (std::size_t i = 0; i < made.cone->texels.size(); ++i) {
+            const glm::vec4 texel = glm::make_vec4(&four[4 * i]);
+            const glm::vec3 bent = packed ? of_octahedron(glm::vec2(texel) * 2.0f - 1.0f) : glm::vec3(texel);
+            std::copy_n(glm::value_ptr(bent), 3, &made.bent->texels[3 * i]);
+            made.cone->texels[i] = packed ? texel.z * glm::half_pi<float>() : texel.w;
+            if (packed)
+                made.visibility.texels[i] = texel.w;
         }
+    }
     return made;
 }
 

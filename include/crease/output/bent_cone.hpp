@@ -6,6 +6,11 @@
 
 namespace crease {
 
+inline constexpr glsl_file encoding_octahedron_glsl{
+    "encoding/octahedron.glsl",
+#include <crease/encoding/octahedron.glsl>
+};
+
 inline constexpr glsl_file encoding_bent_cone_glsl{
     "encoding/bent_cone.glsl",
 #include <crease/encoding/bent_cone.glsl>
@@ -30,7 +35,8 @@ inline constexpr glsl_file bent_cone_glsl{
 CREASE_TRAIT(known_directions, sampler,
              "the output needs taps along known directions, which the sampler does not propose");
 
-/// Knows which directions are open: crease_bend_tap, crease_bend_turn, crease_bend_cone.
+/// Knows which directions are open: crease_bend_tap, crease_bend_turn, crease_bend_direction,
+/// crease_bend_cone.
 CREASE_TRAIT(open_directions, estimator,
              "the output needs to know open directions, which the estimator does not");
 
@@ -40,7 +46,8 @@ inline constexpr encoding bent_cone_encoding{"bent_cone", format::rgba16_float, 
 
 /// What a filter reads: visibility, linear depth and the bent cone in one texel.
 inline constexpr encoding visibility_depth_cone_encoding{"visibility_depth_cone", format::rg32_uint,
-                                                         &encoding_visibility_depth_cone_glsl};
+                                                         &encoding_visibility_depth_cone_glsl,
+                                                         &encoding_octahedron_glsl};
 
 /// Output: visibility, and the image `bent_cone` of the mean open direction and the cone around it.
 struct bent_cone {

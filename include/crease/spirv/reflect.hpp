@@ -14,6 +14,8 @@ constexpr format format_of(spv::ImageFormat of) {
     switch (of) {
     case spv::ImageFormatR8:
         return format::r8_unorm;
+    case spv::ImageFormatRgba8:
+        return format::rgba8_unorm;
     case spv::ImageFormatR32ui:
         return format::r32_uint;
     case spv::ImageFormatR32f:

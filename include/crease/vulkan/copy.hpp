@@ -51,7 +51,7 @@ inline void upload(device& on, image& to, std::span<const std::byte> bytes) {
     });
 }
 
-/// Fills an image with real numbers, of which rgba16_float takes four a texel; see above.
+/// Fills an image with real numbers, of which a texel takes one for each component; see above.
 inline void upload(device& on, image& to, std::span<const float> numbers) {
     const detail::texel_type texel = detail::texel_of(to.description().texels);
     detail::expect_count(to, detail::bytes_in(to) / texel.bytes * texel.components, numbers.size(),
@@ -83,7 +83,7 @@ inline std::vector<std::byte> download_bytes(device& on, image& from) {
     return {bytes.begin(), bytes.end()};
 }
 
-/// The real numbers of an image: of r8_unorm in [0, 1], of rgba16_float four a texel.
+/// The real numbers of an image, one for each component of a texel: those of bytes in [0, 1].
 /// @throws error  where it holds whole numbers
 inline std::vector<float> download(device& on, image& from) {
     return detail::numbers_of(download_bytes(on, from), from.description().texels);

@@ -60,7 +60,7 @@ public:
 
     /// Fills an input, given by its resource's name, with the texels of an image of its declared size, guard
     /// band included, and format: row after row from the top, layer after layer. Real numbers suit all
-    /// formats but r32_uint; of rgba16_float they are four a texel.
+    /// formats but r32_uint; there is one for each component of a texel.
     /// @throws error  where there is no such input, or the count is another
     void upload(std::string_view name, std::span<const float> numbers) {
         vulkan::upload(device_, own_input(name), numbers);
@@ -120,8 +120,8 @@ public:
         return times;
     }
 
-    /// The real numbers in the image of a resource, in the order in which upload() takes them: of r8_unorm in
-    /// [0, 1], of rgba16_float four a texel.
+    /// The real numbers in the image of a resource, in the order in which upload() takes them: those of bytes
+    /// in [0, 1].
     /// @throws error  where there is no such image, or it holds whole numbers
     std::vector<float> download(std::string_view name) { return vulkan::download(device_, image_of(name)); }
 

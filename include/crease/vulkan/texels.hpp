@@ -28,6 +28,8 @@ constexpr texel_type texel_of(format f) {
     switch (f) {
     case format::r8_unorm:
         return {VK_FORMAT_R8_UNORM, 1, 1, "r8_unorm"};
+    case format::rgba8_unorm:
+        return {VK_FORMAT_R8G8B8A8_UNORM, 4, 4, "rgba8_unorm"};
     case format::r32_uint:
         return {VK_FORMAT_R32_UINT, 1, 4, "r32_uint"};
     case format::r32_float:
@@ -75,7 +77,7 @@ inline float float_of_half(std::uint16_t half) {
     return half & 0x8000 ? -magnitude : magnitude;
 }
 
-/// Numbers as the bytes of texels; what r8_unorm cannot hold is clamped to [0, 1].
+/// Numbers as the bytes of texels; what bytes cannot hold is clamped to [0, 1].
 /// @throws error  where the format holds whole numbers
 inline std::vector<std::byte> bytes_of(std::span<const float> numbers, format f) {
     const texel_type type = texel_of(f);
@@ -83,7 +85,7 @@ inline std::vector<std::byte> bytes_of(std::span<const float> numbers, format f)
     std::vector<std::byte> bytes(numbers.size() * size);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         std::byte* const to = &bytes[i * size];
-        if (f == format::r8_unorm) {
+        if (size == 1) {
             const float inside = numbers[i] >= 0 ? std::min(numbers[i], 1.0f) : 0.0f; // also for NaN
             *to = static_cast<std::byte>(std::lround(inside * 255));
         } else if (f == format::rgba16_float) {
@@ -98,7 +100,7 @@ inline std::vector<std::byte> bytes_of(std::span<const float> numbers, format f)
     return bytes;
 }
 
-/// The numbers that texels hold: of r8_unorm in [0, 1].
+/// The numbers that texels hold: those of bytes in [0, 1].
 /// @throws error  where the format holds whole numbers
 inline std::vector<float> numbers_of(std::span<const std::byte> bytes, format f) {
     const texel_type type = texel_of(f);
@@ -106,7 +108,7 @@ inline std::vector<float> numbers_of(std::span<const std::byte> bytes, format f)
     std::vector<float> numbers(bytes.size() / size);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const std::byte* const from = &bytes[i * size];
-        if (f == format::r8_unorm) {
+        if (size == 1) {
             numbers[i] = static_cast<float>(std::to_integer<int>(*from)) / 255;
         } else if (f == format::rgba16_float) {
             std::uint16_t half;

@@ -2,8 +2,10 @@
 R"glsl("
 #endif
 // SPDX-License-Identifier: MIT
-// The bent normal and the cone's angle.
-vec4 crease_encode_bent_cone(crease_result result) { return vec4(result.bent, result.cone); }
+// The bent normal, unit, and the cone's angle.
+vec4 crease_encode_bent_cone(crease_result result) {
+    return vec4(result.bent * inversesqrt(max(dot(result.bent, result.bent), 1e-30)), result.cone);
+}
 #ifdef __cplusplus
 ")glsl"
 #endif

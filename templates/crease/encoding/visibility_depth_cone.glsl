@@ -5,10 +5,10 @@ R"glsl("
 // Visibility and depth in one word, as without a cone; in the other the bent normal as a point of the octahedron, in 12
 // bits each way, and the cone's angle in 8.
 
+vec2 crease_octahedron(vec3 direction);
+
 uvec4 crease_encode_visibility_depth_cone(crease_result result) {
-    vec3 bent = result.bent / max(abs(result.bent.x) + abs(result.bent.y) + abs(result.bent.z), 1e-20);
-    vec2 folded = (1.0 - abs(bent.yx)) * vec2(bent.x < 0.0 ? -1.0 : 1.0, bent.y < 0.0 ? -1.0 : 1.0);
-    uvec2 point = uvec2((bent.z < 0.0 ? folded : bent.xy) * 2047.0 + 2048.0);
+    uvec2 point = uvec2(crease_octahedron(result.bent) * 2047.0 + 2048.0);
     uint word = (floatBitsToUint(result.depth) & ~255u) | uint(result.visibility * 255.0 + 0.5);
     uint cone = uint(clamp(result.cone * (255.0 / 1.57079633), 0.0, 255.0) + 0.5);
     return uvec4(word, point.x | point.y << 12u | cone << 24u, 0u, 0u);

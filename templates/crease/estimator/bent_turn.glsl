@@ -2,11 +2,18 @@
 R"glsl("
 #endif
 // SPDX-License-Identifier: MIT
-// The normal, turned away from what stands in a direction by the angle with this cosine and sine.
+// By how much a normal moves that is turned away from what stands in a direction, by the angle with this cosine and sine:
+// along the axes of the disk that faces the eye, and to the eye.
 vec3 crease_bent_turn(crease_receiver receiver, vec2 direction, float cosine, float sine) {
-    vec3 axis = cross(receiver.to_eye, receiver.across * direction.x + receiver.up * direction.y);
-    return receiver.normal * cosine - cross(axis, receiver.normal) * sine +
-        axis * (dot(axis, receiver.normal) * (1.0 - cosine));
+    vec2 on_disk = vec2(dot(receiver.normal, receiver.across), dot(receiver.normal, receiver.up));
+    float along = dot(on_disk, direction), facing = dot(receiver.normal, receiver.to_eye);
+    return vec3(direction * (along * (cosine - 1.0) - facing * sine), facing * (cosine - 1.0) + along * sine);
+}
+
+// The sum of the directions' normals: the surface's own and by how much they moved.
+vec3 crease_bend_direction(crease_bend bend, crease_receiver receiver) {
+    return receiver.normal * bend.weight + receiver.across * bend.sum.x + receiver.up * bend.sum.y +
+        receiver.to_eye * bend.sum.z;
 }
 
 // The mean of the directions' cones.

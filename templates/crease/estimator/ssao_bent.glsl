@@ -16,6 +16,8 @@ void crease_bend_tap(inout crease_bend bend, crease_receiver receiver, crease_ta
 
 void crease_bend_turn(inout crease_bend bend, crease_receiver receiver, crease_estimate estimate, vec2 direction) {}
 
+vec3 crease_bend_direction(crease_bend bend, crease_receiver receiver) { return bend.sum; }
+
 float crease_bend_cone(crease_bend bend) {
     float mean_length = length(bend.sum) / max(bend.weight, 1e-6);
     return 1.57079633 * (1.0 - max(2.0 * mean_length - 1.0, 0.0));

@@ -6,13 +6,13 @@ R"glsl("
 struct crease_result {
     float visibility; // 1 open, 0 closed
     float depth;      // positive, linear; crease_background where there is none
-    vec3 bent;        // view space: the mean open direction; 0 where there is background
+    vec3 bent;        // view space: the mean open direction, of any length; 0 where there is background
     float cone;       // half angle of the bent cone, radians
 };
 
 // What an estimator gathers of the open directions.
 struct crease_bend {
-    vec3 sum;      // of open directions, view space
+    vec3 sum;      // of open directions, as the estimator defines it
     float weight;  // of those in the sum
     float cone;    // sum of angles, radians
     float highest; // of this direction: what the taps have in common, as the estimator defines it
@@ -30,9 +30,7 @@ crease_result crease_sum(crease_result a, crease_result b) {
 
 // The mean out of a sum of weighted results and the sum of their weights.
 crease_result crease_mean(crease_result sum, float weights, float depth) {
-    float squared = dot(sum.bent, sum.bent);
-    return crease_result(sum.visibility / weights, depth, sum.bent * (squared > 0.0 ? inversesqrt(squared) : 0.0),
-                         sum.cone / weights);
+    return crease_result(sum.visibility / weights, depth, sum.bent, sum.cone / weights);
 }
 #ifdef __cplusplus
 ")glsl"

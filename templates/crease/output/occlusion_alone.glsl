@@ -16,6 +16,8 @@ void crease_gathered_tap(inout crease_gathered gathered, crease_receiver receive
 void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiver, crease_estimate estimate,
                           vec2 direction) {}
 
+void crease_gathered_end(inout crease_gathered gathered, crease_receiver receiver) {}
+
 crease_gathered crease_gathered_turned_back(crease_gathered gathered, mat3 turn) { return gathered; }
 #ifdef __cplusplus
 ")glsl"

@@ -256,6 +256,8 @@ void crease_gathered_tap(inout crease_gathered gathered, crease_receiver receive
 void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiver, crease_estimate estimate,
                           vec2 direction) {}
 
+void crease_gathered_end(inout crease_gathered gathered, crease_receiver receiver) {}
+
 crease_gathered crease_gathered_turned_back(crease_gathered gathered, mat3 turn) { return gathered; }
 // SPDX-License-Identifier: MIT
 // The visibility of a receiver and nothing else.
@@ -337,6 +339,7 @@ void crease_gathered_tap(inout crease_gathered gathered, crease_receiver receive
                          crease_contribution contribution);
 void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiver, crease_estimate estimate,
                           vec2 direction);
+void crease_gathered_end(inout crease_gathered gathered, crease_receiver receiver);
 
 // No loop is left where it is short, as a loop costs some drivers dearly: up to so many taps of a direction, and so
 // many layers of all taps.
@@ -412,6 +415,7 @@ crease_gathered crease_gather(crease_receiver receiver) {
             crease_gather_direction(estimate, gathered, pattern, receiver, i);
     }
     gathered.occlusion = crease_estimate_occlusion(estimate);
+    crease_gathered_end(gathered, receiver);
     return gathered;
 }
 // SPDX-License-Identifier: MIT

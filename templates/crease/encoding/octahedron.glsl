@@ -1,0 +1,15 @@
+#ifdef __cplusplus
+R"glsl("
+#endif
+// SPDX-License-Identifier: MIT
+// A direction of any length as a point of the octahedron, each way in [-1, 1]; nil as that to the eye.
+vec2 crease_octahedron(vec3 direction) {
+    vec3 way = abs(direction);
+    vec2 point = direction.xy / (way.x + way.y + way.z + 1e-20);
+    if (direction.z < 0.0)
+        point = (1.0 - abs(point.yx)) * vec2(point.x < 0.0 ? -1.0 : 1.0, point.y < 0.0 ? -1.0 : 1.0);
+    return point;
+}
+#ifdef __cplusplus
+")glsl"
+#endif
