@@ -6,6 +6,7 @@ R"glsl("
 // Algorithm 11.
 
 vec3 crease_bent_turn(crease_receiver receiver, vec2 direction, float cosine, float sine);
+float crease_bent_angle(float cosine, float sine);
 
 void crease_bend_tap(inout crease_bend bend, crease_receiver receiver, crease_tap tap,
                      crease_contribution contribution) {}
@@ -19,7 +20,7 @@ void crease_bend_turn(inout crease_bend bend, crease_receiver receiver, crease_e
     float cosine = cos_horizon * start.x + sin_horizon * start.y;
     float sine = max(sin_horizon * start.x - cos_horizon * start.y, 0.0);
     bend.sum += crease_bent_turn(receiver, direction, cosine, sine);
-    bend.cone += acos(min(sine, 1.0));
+    bend.turned += crease_bent_angle(cosine, sine);
     bend.weight += 1.0;
 }
 #ifdef __cplusplus

@@ -6,6 +6,7 @@ R"glsl("
 // stochastic-depth-ao 7.1, the form with lambda.
 
 vec3 crease_bent_turn(crease_receiver receiver, vec2 direction, float cosine, float sine);
+float crease_bent_angle(float cosine, float sine);
 
 void crease_bend_tap(inout crease_bend bend, crease_receiver receiver, crease_tap tap,
                      crease_contribution contribution) {
@@ -16,7 +17,7 @@ void crease_bend_turn(inout crease_bend bend, crease_receiver receiver, crease_e
     float sine = min(bend.highest, 1.0);
     float cosine = sqrt(1.0 - sine * sine);
     bend.sum += crease_bent_turn(receiver, direction, cosine, sine);
-    bend.cone += acos(sine);
+    bend.turned += crease_bent_angle(cosine, sine);
     bend.weight += 1.0;
     bend.highest = 0.0;
 }

@@ -16,7 +16,10 @@ void crease_bend_tap(inout crease_bend bend, crease_receiver receiver, crease_ta
 
 void crease_bend_turn(inout crease_bend bend, crease_receiver receiver, crease_estimate estimate, vec2 direction) {}
 
-vec3 crease_bend_direction(crease_bend bend, crease_receiver receiver) { return bend.sum; }
+// The normal where no point is open.
+vec3 crease_bend_direction(crease_bend bend, crease_receiver receiver) {
+    return bend.sum + receiver.normal * 1e-6;
+}
 
 float crease_bend_cone(crease_bend bend) {
     float mean_length = length(bend.sum) / max(bend.weight, 1e-6);

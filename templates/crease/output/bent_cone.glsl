@@ -42,9 +42,7 @@ crease_gathered crease_gathered_turned_back(crease_gathered gathered, mat3 turn)
 }
 
 crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver) {
-    // Where the open directions cancel each other, the normal.
-    vec3 bent = gathered.bent + receiver.normal * 1e-6;
-    return crease_result(crease_visibility_of(gathered.occlusion), -receiver.position.z, bent,
+    return crease_result(crease_visibility_of(gathered.occlusion), -receiver.position.z, gathered.bent,
                          crease_bend_cone(gathered.bend));
 }
 #ifdef __cplusplus

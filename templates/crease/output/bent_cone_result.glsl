@@ -14,7 +14,7 @@ struct crease_result {
 struct crease_bend {
     vec3 sum;      // of open directions, as the estimator defines it
     float weight;  // of those in the sum
-    float cone;    // sum of angles, radians
+    float turned;  // sum of the angles by which the directions turn the normal, radians
     float highest; // of this direction: what the taps have in common, as the estimator defines it
 };
 
