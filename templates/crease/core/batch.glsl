@@ -6,7 +6,7 @@ R"glsl("
 
 int crease_step_count();
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
-crease_layers crease_fetch_layers(vec2 texel);
+crease_layers crease_fetch_layers(vec2 texel); // of any texel: beside the depth image what does not count
 
 const int crease_batch_size = 4;
 
@@ -21,7 +21,7 @@ crease_batch crease_ask(inout crease_pattern pattern, crease_receiver receiver, 
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count) {
             batch.taps[i] = crease_pattern_tap(pattern, receiver, first + i);
-            batch.layers[i] = crease_fetch_layers(batch.taps[i].inside ? batch.taps[i].texel : receiver.texel);
+            batch.layers[i] = crease_fetch_layers(batch.taps[i].texel);
         }
     return batch;
 }

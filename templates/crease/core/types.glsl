@@ -18,6 +18,9 @@ bool crease_inside(vec2 texel) {
     return all(lessThan(floatBitsToUint(texel + crease_view.guard), floatBitsToUint(size)));
 }
 
+// What is loaded in place of a texel beside the depth image, where reading would find anything at all.
+const vec2 crease_first_texel = vec2(0.5);
+
 // The texel of the picture that stands for a pixel of a picture that is smaller by `divisor`.
 vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
     return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_view.resolution) - 1)) + 0.5;

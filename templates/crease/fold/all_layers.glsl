@@ -17,7 +17,9 @@ struct crease_layers {
     vec4 depths;
 };
 
-crease_layers crease_fetch_layers(vec2 texel) { return crease_layers(crease_fetch_group(texel, 0)); }
+crease_layers crease_fetch_layers(vec2 texel) {
+    return crease_layers(crease_fetch_group(crease_inside(texel) ? texel : crease_first_texel, 0));
+}
 
 crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
                                 crease_layers layers) {

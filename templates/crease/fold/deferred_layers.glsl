@@ -100,7 +100,7 @@ void crease_gather_batches(inout crease_estimate estimate, inout crease_pattern 
         estimates[i / crease_batches()] = estimate;
     }
     crease_unroll for (int i = 0; i < count * each; ++i)
-        groups[i] = crease_fetch_groups(looks[i].wanted ? looks[i].tap.texel : receiver.texel, 0);
+        groups[i] = crease_fetch_groups(looks[i].wanted ? looks[i].tap.texel : crease_first_texel, 0);
     crease_unroll for (int i = 0; i < count * each; ++i) {
         if (i % (crease_batches() * each) == 0)
             crease_estimate_resume(estimate, estimates[i / (crease_batches() * each)]);

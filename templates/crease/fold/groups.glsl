@@ -60,7 +60,7 @@ crease_contribution crease_fold_groups(crease_estimate estimate, crease_receiver
                                        crease_contribution most, int first, bool look) {
     crease_groups groups;
     if (look)
-        groups = crease_fetch_groups(tap.texel, first);
+        groups = crease_fetch_groups(tap.inside ? tap.texel : crease_first_texel, first);
     return crease_fold_fetched(estimate, receiver, tap, most, groups, first, look);
 }
 #ifdef __cplusplus

@@ -4,7 +4,8 @@ R"glsl("
 // SPDX-License-Identifier: MIT
 // A pass before has stored linear depth.
 float crease_depth_at(vec2 texel) {
-    return imageLoad(crease_linearised_depth, ivec2(texel + crease_view.guard)).x;
+    vec2 there = crease_inside(texel) ? texel : crease_first_texel;
+    return imageLoad(crease_linearised_depth, ivec2(there + crease_view.guard)).x;
 }
 #ifdef __cplusplus
 ")glsl"

@@ -61,6 +61,9 @@ bool crease_inside(vec2 texel) {
     return all(lessThan(floatBitsToUint(texel + crease_view.guard), floatBitsToUint(size)));
 }
 
+// What is loaded in place of a texel beside the depth image, where reading would find anything at all.
+const vec2 crease_first_texel = vec2(0.5);
+
 // The texel of the picture that stands for a pixel of a picture that is smaller by `divisor`.
 vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
     return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_view.resolution) - 1)) + 0.5;
@@ -326,7 +329,7 @@ crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiv
 
 int crease_step_count();
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
-crease_layers crease_fetch_layers(vec2 texel);
+crease_layers crease_fetch_layers(vec2 texel); // of any texel: beside the depth image what does not count
 
 const int crease_batch_size = 4;
 
@@ -341,7 +344,7 @@ crease_batch crease_ask(inout crease_pattern pattern, crease_receiver receiver, 
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count) {
             batch.taps[i] = crease_pattern_tap(pattern, receiver, first + i);
-            batch.layers[i] = crease_fetch_layers(batch.taps[i].inside ? batch.taps[i].texel : receiver.texel);
+            batch.layers[i] = crease_fetch_layers(batch.taps[i].texel);
         }
     return batch;
 }
