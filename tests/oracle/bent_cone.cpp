@@ -238,6 +238,8 @@ TEST_CASE("one texel holds what two images hold, to a byte each") {
                 const std::size_t i = p.index(x, y);
                 if (p.background(x, y)) {
                     CHECK(one[i].w == doctest::Approx(glm::half_pi<double>()));
+                    CHECK(degrees_between(glm::dvec3(one[i]), {0, 0, 1}) < 1);
+                    CHECK(degrees_between(glm::dvec3(two[i]), {0, 0, 1}) < 1);
                     continue;
                 }
                 most_degrees =

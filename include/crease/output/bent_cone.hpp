@@ -40,7 +40,7 @@ CREASE_TRAIT(known_directions, sampler,
 CREASE_TRAIT(open_directions, estimator,
              "the output needs to know open directions, which the estimator does not");
 
-/// The bent normal in view space, unit, and the half angle of the bent cone in radians; 0, 0, 0, pi / 2 where
+/// The bent normal in view space, unit, and the half angle of the bent cone in radians; 0, 0, 1, pi / 2 where
 /// there is background.
 inline constexpr encoding bent_cone_encoding{"bent_cone", format::rgba16_float, &encoding_bent_cone_glsl};
 

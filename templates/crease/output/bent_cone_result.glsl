@@ -6,7 +6,7 @@ R"glsl("
 struct crease_result {
     float visibility; // 1 open, 0 closed
     float depth;      // positive, linear; crease_background where there is none
-    vec3 bent;        // view space: the mean open direction, of any length; 0 where there is background
+    vec3 bent;        // view space: the mean open direction, of any length; to the eye where there is background
     float cone;       // half angle of the bent cone, radians
 };
 
@@ -18,7 +18,7 @@ struct crease_bend {
     float highest; // of this direction: what the taps have in common, as the estimator defines it
 };
 
-crease_result crease_open() { return crease_result(1.0, crease_background, vec3(0.0), 1.57079633); }
+crease_result crease_open() { return crease_result(1.0, crease_background, vec3(0.0, 0.0, 1.0), 1.57079633); }
 
 crease_result crease_weighted(crease_result result, float weight) {
     return crease_result(result.visibility * weight, result.depth, result.bent * weight, result.cone * weight);
