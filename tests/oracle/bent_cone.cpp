@@ -21,16 +21,22 @@ glm::dvec3 of_octahedron(glm::dvec2 point) {
     return glm::normalize(glm::dvec3(x, y, z));
 }
 
-/// The bent normals and the angles of the cones.
-std::vector<glm::dvec4> run(const oracle::picture& p, const std::string& text, double radius, double bias) {
+/// The texels of an image that a recipe gives.
+std::vector<float> texels_of(const oracle::picture& p, const std::string& text, std::string_view image,
+                             double radius, double bias) {
     const crease::recipe chosen{std::string_view(text)};
     REQUIRE_MESSAGE(static_cast<bool>(chosen), chosen.error());
     const auto composed = std::make_unique<crease::composition>(chosen);
     crease::parameters how = oracle::view_parameters(p, composed->view(), radius);
     how.bias = static_cast<float>(bias);
+    return oracle::run(p, composed->view(), how, image);
+}
+
+/// The bent normals and the angles of the cones.
+std::vector<glm::dvec4> run(const oracle::picture& p, const std::string& text, double radius, double bias) {
     const bool packed = text.find("packed") != std::string::npos;
     const std::vector<float> four =
-        oracle::run(p, composed->view(), how, packed ? "packed_bent_cone" : "bent_cone");
+        texels_of(p, text, packed ? "packed_bent_cone" : "bent_cone", radius, bias);
     std::vector<glm::dvec4> all;
     for (std::size_t i = 0; i < four.size(); i += 4) {
         const glm::dvec4 texel(four[i], four[i + 1], four[i + 2], four[i + 3]);
@@ -254,15 +260,10 @@ TEST_CASE("one texel holds what two images hold, to a byte each") {
 
 TEST_CASE("the alpha of a packed bent cone is the visibility") {
     const oracle::picture p = oracle::draw(oracle::still_life(), lens::standard, 97, 61);
-    const auto image = [&](const std::string& text, std::string_view name) {
-        const crease::recipe chosen{std::string_view(text)};
-        REQUIRE_MESSAGE(static_cast<bool>(chosen), chosen.error());
-        const auto composed = std::make_unique<crease::composition>(chosen);
-        return oracle::run(p, composed->view(), oracle::view_parameters(p, composed->view(), 0.5), name);
-    };
     const std::string parts = "directions:6x4/single_layer/hbao";
-    const std::vector<float> alone = image(parts, "visibility"),
-                             texels = image(parts + "/packed_bent_cone", "packed_bent_cone");
+    const std::vector<float> alone = texels_of(p, parts, "visibility", 0.5, 0.15),
+                             texels =
+                                 texels_of(p, parts + "/packed_bent_cone", "packed_bent_cone", 0.5, 0.15);
     std::size_t apart = 0;
     for (std::size_t i = 0; i < alone.size(); ++i)
         apart += std::abs(alone[i] - texels[4 * i + 3]) > 1.5f / 255;

@@ -48,6 +48,13 @@ camera in_front() {
     return c;
 }
 
+/// A camera to the right of the bar, turned to its foot.
+camera aside_of(camera from) {
+    from.eye = {3, 0, -2};
+    from.target = {0, 0, -6};
+    return from;
+}
+
 /// A box on a floor, just beside what the camera sees.
 mesh floor_and_box_beside(const camera& from) {
     mesh scene;
@@ -85,9 +92,7 @@ TEST_CASE("a second camera in the first one's place changes nothing") {
 TEST_CASE("a second camera sees the side of a bar that the first sees from its end") {
     const mesh scene = bar_on_wall();
     const camera from = in_front();
-    camera aside = from;
-    aside.eye = {3, 0, -2};
-    aside.target = {0, 0, -6};
+    const camera aside = aside_of(from);
     const std::string one = "directions:8x6/stochastic_layers:4/hbao_plus/atomic_minimum";
     const frame single = render(scene, from, one, 0, 1);
     for (const char* second : {"/second_view:1", "/second_view:2"}) {
@@ -107,9 +112,7 @@ TEST_CASE("a second camera sees the side of a bar that the first sees from its e
 TEST_CASE("a bent normal that the second camera finds stands in the first one's space") {
     const mesh scene = bar_on_wall();
     const camera from = in_front();
-    camera aside = from;
-    aside.eye = {3, 0, -2};
-    aside.target = {0, 0, -6};
+    const camera aside = aside_of(from);
     const frame both = render(
         scene, from, "directions:8x6/stochastic_layers:4/hbao_plus/atomic_minimum/second_view:1/bent_cone", 0,
         0.5f, aside);

@@ -178,9 +178,11 @@ frame prepared_effect::picture() {
         const std::vector<float> four = runner_->download(r.name);
         for (std::size_t i = 0; i < made.cone->texels.size(); ++i) {
             const glm::vec4 texel = glm::make_vec4(&four[4 * i]);
-            const glm::vec3 bent = packed ? of_octahedron(glm::vec2(texel) * 2.0f - 1.0f) : glm::vec3(texel);
-            std::copy_n(glm::value_ptr(bent), 3, &made.bent->texels[3 * i]);
-            made.cone->texels[i] = packed ? texel.z * glm::half_pi<float>() : texel.w;
+            const glm::vec4 bent_cone = packed ? glm::vec4(of_octahedron(glm::vec2(texel) * 2.0f - 1.0f),
+                                                           texel.z * glm::half_pi<float>())
+                                               : texel;
+            std::copy_n(glm::value_ptr(bent_cone), 3, &made.bent->texels[3 * i]);
+            made.cone->texels[i] = bent_cone.w;
             if (packed)
                 made.visibility.texels[i] = texel.w;
         }
