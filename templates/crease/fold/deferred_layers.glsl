@@ -21,9 +21,10 @@ void crease_estimate_add(inout crease_estimate estimate, crease_contribution con
 float crease_estimate_occlusion(crease_estimate estimate);
 float crease_front_of(crease_layers layers);
 bool crease_look_behind(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 front, bool by_angle);
-crease_groups crease_fetch_groups(vec2 texel, int first);
+crease_groups crease_fetch_groups(vec2 texel, int first, int end);
 crease_contribution crease_fold_fetched(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
-                                        crease_contribution most, crease_groups groups, int first, bool look);
+                                        crease_contribution most, crease_groups groups, int first, int end,
+                                        inout bool look);
 void crease_estimate_resume(inout crease_estimate estimate, crease_estimate there);
 crease_contribution crease_estimate_least(crease_estimate estimate, crease_contribution front);
 void crease_estimate_raise(inout crease_estimate estimate, crease_contribution front, crease_contribution most);
@@ -76,7 +77,9 @@ crease_looks crease_take_fronts(inout crease_estimate estimate, crease_receiver 
 void crease_take_behind(inout crease_estimate estimate, crease_receiver receiver, crease_look look,
                         crease_groups groups) {
     crease_contribution least = crease_estimate_least(estimate, look.front);
-    crease_contribution most = crease_fold_fetched(estimate, receiver, look.tap, least, groups, 0, look.wanted);
+    bool more = look.wanted;
+    crease_contribution most =
+        crease_fold_fetched(estimate, receiver, look.tap, least, groups, 0, crease_group_count(), more);
     if (look.wanted)
         crease_estimate_raise(estimate, look.front, most);
 }
@@ -99,8 +102,10 @@ void crease_gather_batches(inout crease_estimate estimate, inout crease_pattern 
             looks[i * each + j] = found.of_batch[j];
         estimates[i / crease_batches()] = estimate;
     }
-    crease_unroll for (int i = 0; i < count * each; ++i)
-        groups[i] = crease_fetch_groups(looks[i].wanted ? looks[i].tap.texel : crease_first_texel, 0);
+    crease_unroll for (int i = 0; i < count * each; ++i) {
+        vec2 texel = looks[i].wanted ? looks[i].tap.texel : crease_first_texel;
+        groups[i] = crease_fetch_groups(texel, 0, crease_group_count());
+    }
     crease_unroll for (int i = 0; i < count * each; ++i) {
         if (i % (crease_batches() * each) == 0)
             crease_estimate_resume(estimate, estimates[i / (crease_batches() * each)]);

@@ -30,38 +30,49 @@ crease_contribution crease_fold_others(crease_estimate estimate, crease_receiver
     return most;
 }
 
+crease_contribution crease_fold_group(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
+                                      crease_contribution most, vec4 depths) {
+    most = crease_fold_layer(estimate, receiver, tap, most, depths.x);
+    return crease_fold_others(estimate, receiver, tap, most, depths);
+}
+
 const int crease_most_groups = 8; // of 32 layers
 
 struct crease_groups {
     vec4 depths[crease_most_groups];
 };
 
-// The groups from `first` on, all before any is weighed, so that the waits overlap.
-crease_groups crease_fetch_groups(vec2 texel, int first) {
+// The groups from `first` until `end`, all before any is weighed, so that the waits overlap.
+crease_groups crease_fetch_groups(vec2 texel, int first, int end) {
     crease_groups groups;
-    crease_unroll for (int group = first; group < crease_group_count(); ++group)
+    crease_unroll for (int group = first; group < end; ++group)
         groups.depths[group] = crease_fetch_group(texel, group);
     return groups;
 }
 
+// The groups from `first` until `end`; `look`: whether the first of them may matter, and then whether one after them
+// may. The first is weighed without a branch, as where one tap has it those around mostly do.
 crease_contribution crease_fold_fetched(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
-                                        crease_contribution most, crease_groups groups, int first, bool look) {
-    crease_unroll for (int group = first; group < crease_group_count(); ++group)
-        if (look) {
-            most = crease_fold_layer(estimate, receiver, tap, most, groups.depths[group].x);
-            most = crease_fold_others(estimate, receiver, tap, most, groups.depths[group]);
-            look = groups.depths[group].w < crease_background;
-        }
+                                        crease_contribution most, crease_groups groups, int first, int end,
+                                        inout bool look) {
+    crease_unroll for (int group = first; group < end; ++group) {
+        vec4 depths = look ? groups.depths[group] : vec4(crease_background);
+        if (group == first || look)
+            most = crease_fold_group(estimate, receiver, tap, most, depths);
+        look = depths.w < crease_background;
+    }
     return most;
 }
 
 // The groups from `first` on, where any may matter.
 crease_contribution crease_fold_groups(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
                                        crease_contribution most, int first, bool look) {
-    crease_groups groups;
-    if (look)
-        groups = crease_fetch_groups(tap.inside ? tap.texel : crease_first_texel, first);
-    return crease_fold_fetched(estimate, receiver, tap, most, groups, first, look);
+    if (look) {
+        int end = crease_group_count();
+        crease_groups groups = crease_fetch_groups(tap.inside ? tap.texel : crease_first_texel, first, end);
+        most = crease_fold_fetched(estimate, receiver, tap, most, groups, first, end, look);
+    }
+    return most;
 }
 #ifdef __cplusplus
 ")glsl"
