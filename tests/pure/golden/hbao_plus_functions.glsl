@@ -345,8 +345,14 @@ void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiv
 void crease_gathered_end(inout crease_gathered gathered, crease_receiver receiver);
 
 // No loop is left where it is short, as a loop costs some drivers dearly: up to so many taps of a direction, and so
-// many layers of all taps.
-const int crease_written_out = 8, crease_all_written_out = 128;
+// many layers of all taps. Where there are several directions a loop over them costs less than more code than a cache
+// holds.
+const int crease_written_out = 8, crease_all_written_out = 128, crease_directions_written_out = 64;
+
+bool crease_is_written_out() {
+    return crease_direction_count() * crease_step_count() * crease_layer_count() <=
+        (crease_direction_count() > 1 ? crease_directions_written_out : crease_all_written_out);
+}
 
 void crease_take(inout crease_estimate estimate, inout crease_gathered gathered, crease_receiver receiver,
                  crease_batch batch, int count) {
@@ -411,7 +417,7 @@ crease_gathered crease_gather(crease_receiver receiver) {
     crease_pattern pattern = crease_pattern_begin(receiver);
     crease_estimate estimate = crease_estimate_begin(receiver);
     crease_gathered gathered = crease_gathered_begin();
-    if (crease_direction_count() * crease_step_count() * crease_layer_count() <= crease_all_written_out) {
+    if (crease_is_written_out()) {
         crease_gather_ahead(estimate, gathered, pattern, receiver);
     } else {
         for (int i = 0; i < crease_direction_count(); ++i)
