@@ -25,11 +25,6 @@ crease_batch crease_ask(inout crease_pattern pattern, crease_receiver receiver, 
         }
     return batch;
 }
-
-// A batch of the directions, counted through all of them: where it begins in its direction, and how many taps it has.
-int crease_batches() { return (crease_step_count() + crease_batch_size - 1) / crease_batch_size; }
-int crease_first_of(int batch) { return batch % crease_batches() * crease_batch_size; }
-int crease_count_of(int batch) { return min(crease_batch_size, crease_step_count() - crease_first_of(batch)); }
 #ifdef __cplusplus
 ")glsl"
 #endif

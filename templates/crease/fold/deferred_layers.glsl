@@ -10,9 +10,7 @@ vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
 int crease_direction_count();
 int crease_group_count();
 crease_batch crease_ask(inout crease_pattern pattern, crease_receiver receiver, int first, int count);
-int crease_batches();
-int crease_first_of(int batch);
-int crease_count_of(int batch);
+int crease_step_count();
 vec3 crease_view_position(vec2 texel, float depth);
 crease_estimate crease_estimate_begin(crease_receiver receiver);
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);
@@ -33,6 +31,11 @@ crease_gathered crease_gathered_begin();
 const int crease_most_batches = 16; // together: those of the most steps of a direction
 const int crease_most_looks = crease_most_batches * crease_batch_size;
 const int crease_most_groups_kept = 32; // of all looks, where all directions are together
+
+// A batch of the directions, counted through all of them: where it begins in its direction, and how many taps it has.
+int crease_batches() { return (crease_step_count() + crease_batch_size - 1) / crease_batch_size; }
+int crease_first_of(int batch) { return batch % crease_batches() * crease_batch_size; }
+int crease_count_of(int batch) { return min(crease_batch_size, crease_step_count() - crease_first_of(batch)); }
 
 // A tap behind whose front surface to look.
 struct crease_look {

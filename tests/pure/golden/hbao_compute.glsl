@@ -371,11 +371,6 @@ crease_batch crease_ask(inout crease_pattern pattern, crease_receiver receiver, 
         }
     return batch;
 }
-
-// A batch of the directions, counted through all of them: where it begins in its direction, and how many taps it has.
-int crease_batches() { return (crease_step_count() + crease_batch_size - 1) / crease_batch_size; }
-int crease_first_of(int batch) { return batch % crease_batches() * crease_batch_size; }
-int crease_count_of(int batch) { return min(crease_batch_size, crease_step_count() - crease_first_of(batch)); }
 // SPDX-License-Identifier: MIT
 // The loop of every technique: each tap of the sampler, each layer of the depth source, weighed by the estimator.
 
@@ -385,9 +380,6 @@ int crease_step_count();
 int crease_layer_count();
 vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
 crease_batch crease_ask(inout crease_pattern pattern, crease_receiver receiver, int first, int count);
-int crease_batches();
-int crease_first_of(int batch);
-int crease_count_of(int batch);
 crease_estimate crease_estimate_begin(crease_receiver receiver);
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);
 crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
@@ -401,18 +393,15 @@ void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiv
                           vec2 direction);
 void crease_gathered_end(inout crease_gathered gathered, crease_receiver receiver);
 
-// No loop is left where it is short, as a loop costs some drivers dearly: up to so many taps of a direction, and so
-// many layers of all taps. Where there are several directions a loop over them costs less than more code than a cache
-// holds.
-const int crease_written_out = 8, crease_all_written_out = 128, crease_directions_written_out = 64;
+// No loop is left where it is short, as a loop costs some drivers dearly: of all directions or else of one, up to so many
+// layers of the taps.
+const int crease_written_out = 128;
 
-bool crease_is_written_out() {
-    return crease_direction_count() * crease_step_count() * crease_layer_count() <=
-        (crease_direction_count() > 1 ? crease_directions_written_out : crease_all_written_out);
-}
+int crease_layers_of_direction() { return crease_step_count() * crease_layer_count(); }
 
-void crease_take(inout crease_estimate estimate, inout crease_gathered gathered, crease_receiver receiver,
-                 crease_batch batch, int count) {
+void crease_gather_batch(inout crease_estimate estimate, inout crease_gathered gathered, inout crease_pattern pattern,
+                         crease_receiver receiver, int first, int count) {
+    crease_batch batch = crease_ask(pattern, receiver, first, count);
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count) {
             crease_contribution contribution = crease_fold(estimate, receiver, batch.taps[i], batch.layers[i]);
@@ -422,43 +411,12 @@ void crease_take(inout crease_estimate estimate, inout crease_gathered gathered,
         }
 }
 
-void crease_take_in_turn(inout crease_estimate estimate, inout crease_gathered gathered, crease_receiver receiver,
-                         crease_batch taken, vec2 direction, int batch) {
-    if (crease_first_of(batch) == 0)
-        crease_estimate_turn(estimate, direction);
-    crease_take(estimate, gathered, receiver, taken, crease_count_of(batch));
-    if (crease_first_of(batch + 1) == 0)
-        crease_gathered_turn(gathered, receiver, estimate, direction);
-}
-
-// All directions without a loop; the next batch is asked for before one is weighed.
-void crease_gather_ahead(inout crease_estimate estimate, inout crease_gathered gathered, inout crease_pattern pattern,
-                         crease_receiver receiver) {
-    int last = crease_direction_count() * crease_batches() - 1;
-    vec2 direction = crease_pattern_turn(pattern, receiver, 0), next_direction = direction;
-    crease_batch asked = crease_ask(pattern, receiver, 0, crease_count_of(0));
-    crease_unroll for (int batch = 0; batch < last; ++batch) {
-        if (crease_first_of(batch + 1) == 0)
-            next_direction = crease_pattern_turn(pattern, receiver, (batch + 1) / crease_batches());
-        crease_batch next = crease_ask(pattern, receiver, crease_first_of(batch + 1), crease_count_of(batch + 1));
-        crease_take_in_turn(estimate, gathered, receiver, asked, direction, batch);
-        direction = next_direction;
-        asked = next;
-    }
-    crease_take_in_turn(estimate, gathered, receiver, asked, direction, last);
-}
-
-void crease_gather_batch(inout crease_estimate estimate, inout crease_gathered gathered, inout crease_pattern pattern,
-                         crease_receiver receiver, int first, int count) {
-    crease_take(estimate, gathered, receiver, crease_ask(pattern, receiver, first, count), count);
-}
-
 void crease_gather_direction(inout crease_estimate estimate, inout crease_gathered gathered,
                              inout crease_pattern pattern, crease_receiver receiver, int i) {
     vec2 direction = crease_pattern_turn(pattern, receiver, i);
     crease_estimate_turn(estimate, direction);
     int rest = crease_step_count() % crease_batch_size, whole = crease_step_count() - rest;
-    if (whole <= crease_written_out) {
+    if (crease_layers_of_direction() <= crease_written_out) {
         crease_unroll for (int step = 0; step < whole; step += crease_batch_size)
             crease_gather_batch(estimate, gathered, pattern, receiver, step, crease_batch_size);
     } else {
@@ -474,8 +432,9 @@ crease_gathered crease_gather(crease_receiver receiver) {
     crease_pattern pattern = crease_pattern_begin(receiver);
     crease_estimate estimate = crease_estimate_begin(receiver);
     crease_gathered gathered = crease_gathered_begin();
-    if (crease_is_written_out()) {
-        crease_gather_ahead(estimate, gathered, pattern, receiver);
+    if (crease_direction_count() * crease_layers_of_direction() <= crease_written_out) {
+        crease_unroll for (int i = 0; i < crease_direction_count(); ++i)
+            crease_gather_direction(estimate, gathered, pattern, receiver, i);
     } else {
         for (int i = 0; i < crease_direction_count(); ++i)
             crease_gather_direction(estimate, gathered, pattern, receiver, i);
