@@ -4,7 +4,6 @@ R"glsl("
 // SPDX-License-Identifier: MIT
 // Taps of a direction that are asked for together.
 
-int crease_step_count();
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
 crease_layers crease_fetch_layers(vec2 texel); // of any texel: beside the depth image what does not count
 

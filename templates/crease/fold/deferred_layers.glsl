@@ -8,9 +8,9 @@ R"glsl("
 crease_pattern crease_pattern_begin(crease_receiver receiver);
 vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
 int crease_direction_count();
+int crease_step_count();
 int crease_group_count();
 crease_batch crease_ask(inout crease_pattern pattern, crease_receiver receiver, int first, int count);
-int crease_step_count();
 vec3 crease_view_position(vec2 texel, float depth);
 crease_estimate crease_estimate_begin(crease_receiver receiver);
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);

@@ -293,7 +293,6 @@ crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiv
 // SPDX-License-Identifier: MIT
 // Taps of a direction that are asked for together.
 
-int crease_step_count();
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
 crease_layers crease_fetch_layers(vec2 texel); // of any texel: beside the depth image what does not count
 
