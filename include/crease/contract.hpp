@@ -4,6 +4,7 @@
 #include <crease/array_view.hpp>
 #include <crease/defaults.hpp>
 #include <crease/fixed_list.hpp>
+#include <crease/outlined_parts.hpp>
 #include <crease/part.hpp>
 
 #include <cstddef>
@@ -59,7 +60,8 @@ CREASE_RULES(CREASE_RULE)
 
 constexpr bool numbers_in_range(const choice& c) {
     for (std::size_t i = 0; i < c.what->numbers.size(); ++i)
-        if (c.numbers[i] < c.what->numbers[i].least || c.numbers[i] > c.what->numbers[i].most)
+        if (!open_number::is(c.numbers[i]) &&
+            (c.numbers[i] < c.what->numbers[i].least || c.numbers[i] > c.what->numbers[i].most))
             return false;
     return true;
 }
@@ -164,6 +166,9 @@ constexpr bool share_a_role = One::description.kind == Other::description.kind&&
 template <class Part>
 constexpr bool in_its_range = numbers_in_range(choice_of<Part>());
 
+template <class Outline>
+inline constexpr bool make_an_effect = !check(Outline::parts);
+
 template <class Part, class DepthSource>
 constexpr bool is_wanted =
     !waits_to_be_wanted(Part::description.kind) || wants(DepthSource::description, Part::description.kind);
@@ -252,8 +257,7 @@ constexpr void assert_each_rule() {
 template <class... Parts>
 constexpr bool assert_all() {
     if constexpr ((asserted_part<Parts>() && ...)) {
-        constexpr choice chosen[] = {choice_of<Parts>()...};
-        if constexpr (!check({chosen, sizeof...(Parts)}))
+        if constexpr (make_an_effect<outlined_parts<Parts...>> && (in_its_range<Parts> && ...))
             return true;
         else
             assert_each_rule<Parts...>();

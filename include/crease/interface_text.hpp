@@ -1,27 +1,56 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <crease/fixed_list.hpp>
+#include <crease/open_number.hpp>
+
 #include <cstddef>
 #include <string_view>
 
 namespace crease {
 
+/// The characters of a number.
+/// @param number  >= 0
+constexpr std::size_t digits_of(int number) {
+    std::size_t digits = 1;
+    while ((number /= 10) != 0)
+        ++digits;
+    return digits;
+}
+
+/// @param to  has room for `digits`
+constexpr void write_digits(char* to, std::size_t digits, std::size_t number) {
+    for (; digits-- > 0; number /= 10)
+        to[digits] = static_cast<char>('0' + number % 10);
+}
+
 /// What stands before the files of a program: version, constants and bindings. It is kept as the words and
 /// numbers that it is joined of, as a compiler takes longer for many characters than for few words.
 class interface_text {
 public:
+    /// An open number, which has no characters.
+    struct gap {
+        std::size_t at; ///< characters before it
+        int number;
+    };
+
     constexpr interface_text& operator<<(std::string_view text) { return add({text.data(), text.size(), 0}); }
     // A compiler knows the length of a literal, and std::string_view counts it character by character.
     constexpr interface_text& operator<<(const char* literal) {
         return add({literal, __builtin_strlen(literal), 0});
     }
-    /// @param number  >= 0
+    /// @param number  >= 0, or open
     constexpr interface_text& operator<<(int number) {
+        if (open_number::is(number)) {
+            gaps_.add({size_, number});
+            return *this;
+        }
         return add({nullptr, digits_of(number), static_cast<std::size_t>(number)});
     }
     constexpr interface_text& operator<<(unsigned number) { return *this << static_cast<int>(number); }
 
     constexpr std::size_t size() const { return size_; }
+    constexpr const fixed_list<gap, 32>& gaps() const { return gaps_; }
 
     /// More than `size()` ever is, unless a host's parts have names of hundreds of characters.
     static constexpr std::size_t most_characters = 4096;
@@ -41,8 +70,7 @@ public:
                 for (std::size_t c = 0; c < size; ++c)
                     to.items[at + c] = text[c];
             else
-                for (std::size_t c = size, rest = words_[i].number; c-- > 0; rest /= 10)
-                    to.items[at + c] = static_cast<char>('0' + rest % 10);
+                write_digits(to.items + at, size, words_[i].number);
             at += size;
         }
     }
@@ -59,15 +87,10 @@ private:
         size_ += next.size;
         return *this;
     }
-    static constexpr std::size_t digits_of(int number) {
-        std::size_t digits = 1;
-        while ((number /= 10) != 0)
-            ++digits;
-        return digits;
-    }
 
     word words_[640] = {}; // more than most constants and bindings take
     std::size_t count_ = 0, size_ = 0;
+    fixed_list<gap, 32> gaps_;
 };
 
 }

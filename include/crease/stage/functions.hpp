@@ -12,9 +12,9 @@ inline constexpr glsl_file functions_glsl{
 
 struct functions_part {
     static constexpr number takes[] = {
-        {"set", 0, 31, 0, "descriptor set of all bindings"},
-        {"first_binding", 0, 1023, 0, "binding of the block of parameters; the others follow"},
-        {"first_constant", 0, 1023, 0, "constant_id of the first number; the others follow"},
+        {"set", 0, 31, 0, "descriptor set of all bindings", false},
+        {"first_binding", 0, 1023, 0, "binding of the block of parameters; the others follow", false},
+        {"first_constant", 0, 1023, 0, "constant_id of the first number; the others follow", false},
     };
     static constexpr part description{
         .kind = role::stage,
