@@ -252,18 +252,20 @@ constexpr void assert_each_rule() {
                           assert_every_need<Sampler, DepthSource, Estimator, Rest...>());
 }
 
-/// Whether parts make an effect; where they do not, an assertion says why. The rules are checked on values
-/// first, as a template for each rule and part costs a compiler more than all else of an effect.
 template <class... Parts>
-constexpr bool assert_all() {
+constexpr auto assert_all() {
     if constexpr ((asserted_part<Parts>() && ...)) {
         if constexpr (make_an_effect<outlined_parts<Parts...>> && (in_its_range<Parts> && ...))
-            return true;
+            return outlined_parts<Parts...>{};
         else
             assert_each_rule<Parts...>();
     }
-    return false;
 }
+
+/// The outline of parts that make an effect; where they do not, an assertion says why, and it is void. The rules
+/// are checked on values first, as a template for each rule and part costs a compiler more than all else.
+template <class... Parts>
+using legal_outline = decltype(assert_all<Parts...>());
 
 }
 

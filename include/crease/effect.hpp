@@ -6,10 +6,111 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 
 namespace crease {
+
+/// An effect's own: what depends on the numbers that its outline leaves open.
+namespace composing {
+
+template <class Effect, int Number>
+inline constexpr int number_in = open_number::value_of(Number, Effect::choices);
+
+template <class Effect, std::size_t Program, class Gaps>
+struct filled;
+template <class Effect, std::size_t Program, std::size_t... Gap>
+struct filled<Effect, Program, std::index_sequence<Gap...>> {
+    using parts = typename Effect::outline;
+    using runs = outlining::runs<parts, Program>;
+    template <std::size_t At>
+    static constexpr int number = number_in<Effect, outlining::gaps<parts, Program>[At].number>;
+    using blocks =
+        joining::sequence<joining::pair<typename runs::template block<Gap>, joining::block<digits_of(number<Gap>)>>...,
+                          typename runs::template block<sizeof...(Gap)>>;
+    static constexpr blocks value{{{joining::block_in<Gap>(runs::value), joining::digits<number<Gap>>}}...,
+                                  {joining::block_in<sizeof...(Gap)>(runs::value)}};
+};
+
+/// A program's interface, with its numbers.
+template <class Effect, std::size_t Program>
+using interface =
+    filled<Effect, Program, std::make_index_sequence<outlining::gaps<typename Effect::outline, Program>.size()>>;
+
+template <class Effect, std::size_t Program>
+inline constexpr joining::characters<sizeof(interface<Effect, Program>::value)> interface_characters =
+    __builtin_bit_cast(joining::characters<sizeof(interface<Effect, Program>::value)>,
+                       interface<Effect, Program>::value);
+
+template <class Effect, std::size_t Program>
+inline constexpr glsl_file interface_piece{
+    "interface", std::string_view(interface_characters<Effect, Program>.items, sizeof(interface<Effect, Program>::value))};
+
+template <class Effect, std::size_t Program, std::size_t... I>
+constexpr std::array<piece, 1 + sizeof...(I)> list_pieces(std::index_sequence<I...>) {
+    return {interface_piece<Effect, Program>, *outlining::draft<typename Effect::outline, Program>.files[I]...};
+}
+
+template <class Effect, std::size_t Program>
+inline constexpr auto pieces = list_pieces<Effect, Program>(
+    std::make_index_sequence<outlining::draft<typename Effect::outline, Program>.files.size()>{});
+
+template <class Effect, std::size_t Program>
+constexpr auto list_constants() {
+    constexpr auto& draft = outlining::draft<typename Effect::outline, Program>;
+    auto all = shrink<draft.constants.size()>(draft.constants);
+    for (constant& c : all)
+        c.value = open_number::value_of(c.value, Effect::choices);
+    return all;
+}
+
+template <class Effect, std::size_t Program>
+inline constexpr auto constants = list_constants<Effect, Program>();
+
+/// A pass or a capture with its lists.
+template <class Effect, std::size_t Program>
+constexpr auto described() {
+    using parts = typename Effect::outline;
+    auto whole = describe(outlining::planned<parts>, outlining::planned_program<parts, Program>());
+    whole.pieces = pieces<Effect, Program>;
+    whole.bindings = outlining::bindings<parts, Program>;
+    whole.constants = constants<Effect, Program>;
+    return whole;
+}
+
+template <class Effect>
+inline constexpr std::size_t capture_count = outlining::planned<typename Effect::outline>.captures.size();
+
+template <class Effect>
+inline constexpr std::size_t pass_count = outlining::planned<typename Effect::outline>.passes.size();
+
+template <class Effect, std::size_t... I>
+constexpr std::array<pass, sizeof...(I)> list_passes(std::index_sequence<I...>) {
+    return {described<Effect, capture_count<Effect> + I>()...};
+}
+
+template <class Effect, std::size_t... I>
+constexpr std::array<capture, sizeof...(I)> list_captures(std::index_sequence<I...>) {
+    return {described<Effect, I>()...};
+}
+
+template <class Effect, std::size_t Program, class Groups>
+struct whole;
+template <class Effect, std::size_t Program, std::size_t... Group>
+struct whole<Effect, Program, std::index_sequence<Group...>> {
+    template <std::size_t At>
+    using group = outlining::file_group<typename Effect::outline, Program, At>;
+    using interface = composing::interface<Effect, Program>;
+    static constexpr joining::text_of<
+        joining::sequence<typename interface::blocks, typename group<Group>::blocks..., joining::block<1>>>
+        text{{{interface::value}, {group<Group>::text}..., {joining::block<1>{{'\0'}}}}};
+};
+
+/// The whole text of a program, NUL-terminated.
+template <class Effect, std::size_t Program>
+inline constexpr std::string_view text = joining::view_of(
+    whole<Effect, Program, outlining::file_groups<typename Effect::outline, Program>>::text);
+
+}
 
 /// An ambient-occlusion effect, composed at compile time.
 ///
@@ -18,123 +119,40 @@ namespace crease {
 /// device_depth, given_normals, hashed_noise, visibility_only, compute, vulkan_glsl). Parts that do not fit
 /// fail to compile, with one sentence.
 template <class Sampler, class DepthSource, class Estimator, class... Rest>
-class effect {
-    static constexpr bool legal = rules::assert_all<Sampler, DepthSource, Estimator, Rest...>();
+struct effect {
+    /// What it has in common with effects that differ only in numbers.
+    using outline = rules::legal_outline<Sampler, DepthSource, Estimator, Rest...>;
 
-    using shared = outline<typename outlining::legal_parts<legal, Sampler, DepthSource, Estimator, Rest...>::type>;
+    /// The parts with their numbers: a `recipe` of them is the same effect at run time.
+    static constexpr choice choices[] = {choice_of<Sampler>(), choice_of<DepthSource>(), choice_of<Estimator>(),
+                                         choice_of<Rest>()...};
 
-    static constexpr std::size_t capture_count = shared::capture_count, pass_count = shared::pass_count;
-
-    static constexpr choice chosen[] = {choice_of<Sampler>(), choice_of<DepthSource>(), choice_of<Estimator>(),
-                                        choice_of<Rest>()...};
-
-    /// What stands in a gap of a program's interface.
-    template <std::size_t Program, std::size_t Gap>
-    static constexpr int
-        number_in = open_number::value_of(shared::template gaps<Program>[Gap].number, chosen);
-
-    template <std::size_t Program, std::size_t... Gap>
-    using interface_blocks = joining::joined<
-        joining::placed<Gap, joining::pair<typename shared::template run_block<Program, Gap>,
-                                           joining::block<digits_of(number_in<Program, Gap>)>>>...,
-        joining::placed<sizeof...(Gap), typename shared::template run_block<Program, sizeof...(Gap)>>>;
-
-    // A variable: a compiler copies the results and arguments of calls.
-    template <std::size_t Program, std::size_t... Gap>
-    static constexpr interface_blocks<Program, Gap...> joined_interface{
-        {{shared::template run<Program, Gap>(), joining::digits<number_in<Program, Gap>>}}...,
-        {shared::template run<Program, sizeof...(Gap)>()}};
-
-    template <std::size_t Program, std::size_t... Gap>
-    static constexpr const auto& join_interface(std::index_sequence<Gap...>) {
-        return joined_interface<Program, Gap...>;
-    }
-
-    template <std::size_t Program>
-    static constexpr const auto& interface() {
-        return join_interface<Program>(std::make_index_sequence<shared::template gaps<Program>.size()>{});
-    }
-
-    template <std::size_t Program>
-    static constexpr joining::characters<sizeof(interface<Program>())> interface_characters =
-        __builtin_bit_cast(joining::characters<sizeof(interface<Program>())>, interface<Program>());
-
-    template <std::size_t Program>
-    static constexpr glsl_file interface_piece{
-        "interface", std::string_view(interface_characters<Program>.items, sizeof(interface<Program>()))};
-
-    template <std::size_t Program, std::size_t... I>
-    static constexpr std::array<piece, 1 + sizeof...(I)> list_pieces(std::index_sequence<I...>) {
-        return {interface_piece<Program>, *shared::template draft<Program>.files[I]...};
-    }
-
-    template <std::size_t Program>
-    static constexpr auto
-        pieces_of = list_pieces<Program>(std::make_index_sequence<shared::template file_count<Program>>{});
-
-    template <std::size_t Program>
-    static constexpr auto list_constants() {
-        const constant_list& open = shared::template draft<Program>.constants;
-        auto all = shrink<shared::template draft<Program>.constants.size()>(open);
-        for (constant& c : all)
-            c.value = open_number::value_of(c.value, chosen);
-        return all;
-    }
-
-    template <std::size_t Program>
-    static constexpr auto constants_of = list_constants<Program>();
-
-    /// A pass or a capture with its lists.
-    template <std::size_t Program>
-    static constexpr auto described() {
-        auto whole = describe(shared::planned, shared::template planned_program<Program>());
-        whole.pieces = pieces_of<Program>;
-        whole.bindings = shared::template bindings<Program>;
-        whole.constants = constants_of<Program>;
-        return whole;
-    }
-
-    template <std::size_t Program>
-    static constexpr joining::text_of<
-        joining::pair<std::remove_cvref_t<decltype(interface<Program>())>,
-                      std::remove_cvref_t<decltype(shared::template files<Program>())>>>
-        text{{interface<Program>(), shared::template files<Program>()}};
-
-    template <std::size_t... I>
-    static constexpr std::array<pass, pass_count> list_passes(std::index_sequence<I...>) {
-        return {described<capture_count + I>()...};
-    }
-
-    template <std::size_t... I>
-    static constexpr std::array<capture, sizeof...(I)> list_captures(std::index_sequence<I...>) {
-        return {described<I>()...};
-    }
-
-public:
     /// What the host's geometry pass fills before the passes run; none for most effects.
-    static constexpr auto captures = list_captures(std::make_index_sequence<capture_count>{});
+    static constexpr std::array<capture, outlining::planned<outline>.captures.size()> captures =
+        composing::list_captures<effect>(std::make_index_sequence<composing::capture_count<effect>>{});
 
     /// The passes in the order of execution.
-    static constexpr std::array<pass, pass_count> passes =
-        list_passes(std::make_index_sequence<pass_count>{});
+    static constexpr std::array<pass, outlining::planned<outline>.passes.size()> passes =
+        composing::list_passes<effect>(std::make_index_sequence<composing::pass_count<effect>>{});
 
     /// The resources that the passes use; 0 is the block of parameters, the outputs are the last.
-    static constexpr const auto& resources = shared::resources;
+    static constexpr const std::array<resource, outlining::planned<outline>.resources.size()>&
+        resources = outlining::resources<outline>;
 
     /// The device features that all passes together require.
-    static constexpr const device_features& features = shared::features;
+    static constexpr const device_features& features = outlining::features<outline>;
 
     /// The settings as the parts recommend them; the host adds the view (`set_projection`) and the radius.
-    static constexpr const parameters& defaults = shared::defaults;
+    static constexpr const parameters& defaults = outlining::defaults<outline>;
 
     /// The whole text of a pass, NUL-terminated, with static storage; made only where it is named. Its
     /// characters are read at run time, as they are kept in words; constant expressions read `pieces`.
     template <std::size_t Pass>
-    static constexpr std::string_view source = joining::view_of(text<capture_count + Pass>);
+    static constexpr std::string_view source = composing::text<effect, composing::capture_count<effect> + Pass>;
 
     /// The whole text of a capture, likewise.
     template <std::size_t Capture>
-    static constexpr std::string_view capture_source = joining::view_of(text<Capture>);
+    static constexpr std::string_view capture_source = composing::text<effect, Capture>;
 
     /// The effect as data, for a renderer.
     static constexpr effect_view view() { return {captures, passes, resources, features, defaults}; }

@@ -1,13 +1,41 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <crease/block.hpp>
 #include <crease/fixed_list.hpp>
 #include <crease/open_number.hpp>
 
+#include <bit>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <string_view>
 
 namespace crease {
+
+static_assert(std::endian::native == std::endian::little, "crease packs text for little-endian processors");
+
+/// Characters in words of eight, the first in the lowest byte, filled up with zeros.
+template <std::size_t Size>
+struct packed_text {
+    std::uint64_t words[(Size + 7) / 8];
+};
+
+// Functions of their own: a compiler keeps what one returned for the same arguments.
+/// @param count  <= 8
+constexpr std::uint64_t pack(const char* from, std::size_t count) {
+    std::uint64_t word = 0;
+    while (count-- > 0)
+        word = word << 8 | static_cast<unsigned char>(from[count]);
+    return word;
+}
+template <std::size_t Size>
+constexpr packed_text<Size> pack(const char (&literal)[Size]) {
+    packed_text<Size> packed{};
+    for (std::size_t i = 0; i < Size; i += 8)
+        packed.words[i / 8] = pack(literal + i, Size - i < 8 ? Size - i : 8);
+    return packed;
+}
 
 /// The characters of a number.
 /// @param number  >= 0
@@ -18,14 +46,8 @@ constexpr std::size_t digits_of(int number) {
     return digits;
 }
 
-/// @param to  has room for `digits`
-constexpr void write_digits(char* to, std::size_t digits, std::size_t number) {
-    for (; digits-- > 0; number /= 10)
-        to[digits] = static_cast<char>('0' + number % 10);
-}
-
-/// What stands before the files of a program: version, constants and bindings. It is kept as the words and
-/// numbers that it is joined of, as a compiler takes longer for many characters than for few words.
+/// What stands before the files of a program: version, constants and bindings. It is kept in words, as a compiler
+/// takes as long for a character as for a word.
 class interface_text {
 public:
     /// An open number, which has no characters.
@@ -34,10 +56,23 @@ public:
         int number;
     };
 
-    constexpr interface_text& operator<<(std::string_view text) { return add({text.data(), text.size(), 0}); }
-    // A compiler knows the length of a literal, and std::string_view counts it character by character.
-    constexpr interface_text& operator<<(const char* literal) {
-        return add({literal, __builtin_strlen(literal), 0});
+    template <std::size_t Size>
+    constexpr interface_text& operator<<(const char (&literal)[Size]) {
+        const packed_text<Size> packed = pack(literal);
+        std::size_t i = 0;
+        for (; i + 8 < Size; i += 8)
+            add(packed.words[i / 8], 8);
+        add(packed.words[i / 8], Size - 1 - i);
+        return *this;
+    }
+    constexpr interface_text& operator<<(std::string_view text) {
+        const char* from = text.data();
+        const std::size_t size = text.size();
+        for (std::size_t i = 0; i < size; i += 8) {
+            const std::size_t count = size - i < 8 ? size - i : 8;
+            add(pack(from + i, count), count);
+        }
+        return *this;
     }
     /// @param number  >= 0, or open
     constexpr interface_text& operator<<(int number) {
@@ -45,7 +80,15 @@ public:
             gaps_.add({size_, number});
             return *this;
         }
-        return add({nullptr, digits_of(number), static_cast<std::size_t>(number)});
+        std::uint64_t word = 0;
+        const std::size_t digits = digits_of(number);
+        if (digits > 8)
+            *this << number / 100'000'000;
+        const std::size_t last = digits > 8 ? 8 : digits;
+        for (std::size_t i = 0; i < last; ++i, number /= 10)
+            word = word << 8 | static_cast<std::uint64_t>('0' + number % 10);
+        add(word, last);
+        return *this;
     }
     constexpr interface_text& operator<<(unsigned number) { return *this << static_cast<int>(number); }
 
@@ -55,41 +98,36 @@ public:
     /// More than `size()` ever is, unless a host's parts have names of hundreds of characters.
     static constexpr std::size_t most_characters = 4096;
 
-    /// Writes the words that fit.
-    /// @tparam Characters  has an array `items` of characters, `size()` of them or more for the whole
-    template <class Characters>
-    constexpr void write(Characters& to) const {
-        // Plain indices and no calls: a compiler evaluates this for each character.
-        std::size_t at = 0;
-        for (std::size_t i = 0; i < count_; ++i) {
-            const char* text = words_[i].text;
-            const std::size_t size = words_[i].size;
-            if (at + size > sizeof to.items)
-                return;
-            if (text)
-                for (std::size_t c = 0; c < size; ++c)
-                    to.items[at + c] = text[c];
-            else
-                write_digits(to.items + at, size, words_[i].number);
-            at += size;
-        }
+    /// The first characters.
+    template <std::size_t Size>
+    constexpr joining::block<Size> first() const {
+        joining::block<Size> all{};
+        if constexpr (Size >= 8)
+            for (std::size_t i = 0; i < Size / 8; ++i)
+                all.words[i] = words_[i];
+        if constexpr (Size % 8 != 0)
+            for (std::size_t i = 0; i < Size % 8; ++i)
+                all.rest[i] = static_cast<char>(words_[Size / 8] >> (8 * i));
+        return all;
     }
+
+    /// Writes all characters.
+    void write(char* to) const { std::memcpy(to, words_, size_); }
 
 private:
-    struct word {
-        const char* text; // null: the number
-        std::size_t size; // characters
-        std::size_t number;
-    };
-
-    constexpr interface_text& add(word next) {
-        words_[count_++] = next;
-        size_ += next.size;
-        return *this;
+    /// @param count  <= 8; the characters behind are zeros
+    constexpr void add(std::uint64_t characters, std::size_t count) {
+        if (size_ + count > most_characters)
+            return;
+        const std::size_t at = size_ / 8, before = size_ % 8;
+        words_[at] |= characters << (8 * before);
+        if (before + count > 8)
+            words_[at + 1] = characters >> (64 - 8 * before);
+        size_ += count;
     }
 
-    word words_[640] = {}; // more than most constants and bindings take
-    std::size_t count_ = 0, size_ = 0;
+    std::uint64_t words_[most_characters / 8] = {};
+    std::size_t size_ = 0;
     fixed_list<gap, 32> gaps_;
 };
 

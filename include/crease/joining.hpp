@@ -16,36 +16,13 @@ struct characters {
     char items[Size];
 };
 
-// A block is text in few items, as a compiler copies and checks the items of constants one by one.
-#pragma pack(push, 1)
-template <std::size_t Size, std::size_t Words = Size / 8, std::size_t Rest = Size % 8>
-struct block {
-    std::uint64_t words[Words];
-    char rest[Rest];
-};
-template <std::size_t Size, std::size_t Words>
-struct block<Size, Words, 0> {
-    std::uint64_t words[Words];
-};
-template <std::size_t Size, std::size_t Rest>
-struct block<Size, 0, Rest> {
-    char rest[Rest];
-};
-#pragma pack(pop)
-
 struct eight {
     char characters[8];
 };
 
 /// A number's characters.
 template <int Number>
-constexpr auto write_number() {
-    characters<digits_of(Number)> all{};
-    write_digits(all.items, sizeof all, Number);
-    return __builtin_bit_cast(block<sizeof all>, all);
-}
-template <int Number>
-inline constexpr auto digits = write_number<Number>();
+inline constexpr auto digits = (interface_text{} << Number).template first<digits_of(Number)>();
 
 template <std::size_t Size>
 constexpr block<Size> block_at(const char* from) {
@@ -60,19 +37,29 @@ constexpr block<Size> block_at(const char* from) {
     return all;
 }
 
-/// One after the other.
-template <class First, class Second>
-struct pair {
-    First first;
-    Second second;
-};
-
-// A block per place, as a type may be a base only once.
+// A place per block, as a type may be a base only once.
 template <std::size_t, class Block>
 struct placed : Block {};
 
 template <class... Blocks>
 struct joined : Blocks... {};
+
+template <class Places, class... Blocks>
+struct placed_all;
+template <std::size_t... Place, class... Blocks>
+struct placed_all<std::index_sequence<Place...>, Blocks...> {
+    using type = joined<placed<Place, Blocks>...>;
+};
+
+/// Blocks one after the other.
+template <class... Blocks>
+using sequence = typename placed_all<std::make_index_sequence<sizeof...(Blocks)>, Blocks...>::type;
+
+/// The block at a place of a sequence.
+template <std::size_t Place, class Block>
+constexpr const Block& block_in(const placed<Place, Block>& all) {
+    return all;
+}
 
 // Never copied to characters, which would take a compiler longer than all else together.
 template <class Blocks>
@@ -90,17 +77,20 @@ constexpr std::string_view view_of(const text_of<Blocks>& text) {
 template <const glsl_file* File>
 inline constexpr auto block_of = block_at<File->text.size()>(File->text.data());
 
-template <class Places, const glsl_file*... Files>
-struct files;
-template <std::size_t... Place, const glsl_file*... Files>
-struct files<std::index_sequence<Place...>, Files...> {
-    static constexpr joined<placed<Place, block<Files->text.size()>>...> text{{block_of<Files>}...};
+/// Files that are joined at once, as many programs have the same in a row.
+template <const glsl_file*... Files>
+struct file_group {
+    using blocks = sequence<block<Files->text.size()>...>;
+    static constexpr blocks text{{block_of<Files>}...};
 };
 
-template <const glsl_file*... Files>
-inline constexpr const auto& joined_files = files<std::make_index_sequence<sizeof...(Files)>, Files...>::text;
+inline constexpr std::size_t files_in_group = 6;
 
-/// How many files are joined at once.
-inline constexpr std::size_t group_size = 6;
+/// One after the other.
+template <class First, class Second>
+struct pair {
+    First first;
+    Second second;
+};
 
 }

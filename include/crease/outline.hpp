@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 
 namespace crease {
@@ -50,121 +49,93 @@ constexpr std::array<Item, Count> shrink(const fixed_list<Item, Capacity>& list)
     return all;
 }
 
-/// An effect without its open numbers: all that a compiler takes long for, once for the effects that differ
-/// only in these.
-/// @tparam OpenParts  an `outlined_parts`
-template <class OpenParts>
-struct outline {
-    static constexpr plan make() {
-        if constexpr (requires { OpenParts::parts; })
-            return make_plan(OpenParts::parts);
-        else
-            return plan{};
-    }
+/// What a compiler takes long for, once for all effects with the same `outlined_parts`. All of it stands outside of
+/// classes, as the templates in a class are gone through for each of its instances.
+namespace outlining {
 
-    static constexpr plan planned = make();
+// Variables and not functions that return what they call: a compiler evaluates that once more to warn of it.
+template <class Parts>
+inline constexpr plan planned = make_plan(Parts::parts);
+template <>
+inline constexpr plan planned<void> = {}; // of parts that make no effect: no second error after the assertion's
 
-    static constexpr std::size_t capture_count = planned.captures.size(), pass_count = planned.passes.size();
+template <class Parts>
+inline constexpr auto resources = shrink<planned<Parts>.resources.size()>(planned<Parts>.resources);
 
-    /// Programs are counted over the captures and then the passes.
-    template <std::size_t Program>
-    static constexpr const auto& planned_program() {
-        if constexpr (Program < capture_count)
-            return planned.captures[Program];
-        else
-            return planned.passes[Program - capture_count];
-    }
+template <class Parts>
+inline constexpr device_features features = required_features(planned<Parts>);
 
-    template <std::size_t Program>
-    static constexpr program draft = write_program(planned, planned_program<Program>());
+template <class Parts>
+inline constexpr parameters defaults = default_parameters(planned<Parts>.choices);
 
-    /// The open numbers of a program's interface, and where they stand in it.
-    template <std::size_t Program>
-    static constexpr auto gaps = shrink<draft<Program>.interface.gaps().size()>(draft<Program>.interface.gaps());
+/// Programs are counted over the captures and then the passes.
+template <class Parts, std::size_t Program>
+constexpr const auto& planned_program() {
+    if constexpr (Program < planned<Parts>.captures.size())
+        return planned<Parts>.captures[Program];
+    else
+        return planned<Parts>.passes[Program - planned<Parts>.captures.size()];
+}
 
-    template <std::size_t Program>
-    static constexpr std::size_t file_count = draft<Program>.files.size();
+template <class Parts, std::size_t Program>
+inline constexpr program draft = write_program(planned<Parts>, planned_program<Parts, Program>());
 
-    template <std::size_t Program>
-    static constexpr auto bindings = shrink<draft<Program>.bindings.size()>(draft<Program>.bindings);
+template <class Parts, std::size_t Program>
+inline constexpr auto
+    bindings = shrink<draft<Parts, Program>.bindings.size()>(draft<Parts, Program>.bindings);
 
-    static constexpr auto resources = shrink<planned.resources.size()>(planned.resources);
+/// The open numbers of a program's interface, and where they stand in it.
+template <class Parts, std::size_t Program>
+inline constexpr auto
+    gaps = shrink<draft<Parts, Program>.interface.gaps().size()>(draft<Parts, Program>.interface.gaps());
 
-    static constexpr device_features features = required_features(planned);
+/// Where a run of the interface's characters ends: at a gap, or at the end of all.
+template <class Parts, std::size_t Program>
+constexpr std::size_t end_of_run(std::size_t run) {
+    return run < gaps<Parts, Program>.size() ? gaps<Parts, Program>[run].at
+                                             : draft<Parts, Program>.interface.size();
+}
 
-    static constexpr parameters defaults = default_parameters(planned.choices);
+template <class Parts, std::size_t Program>
+inline constexpr auto
+    interface_block = draft<Parts, Program>.interface.template first<draft<Parts, Program>.interface.size()>();
 
-    /// Where a run of the interface's characters ends: at a gap, or at the end of all.
-    template <std::size_t Program>
-    static constexpr std::size_t end_of_run(std::size_t run) {
-        return run < gaps<Program>.size() ? gaps<Program>[run].at : draft<Program>.interface.size();
-    }
-
-    template <std::size_t Program, std::size_t Run>
-    static constexpr std::size_t
-        run_size = end_of_run<Program>(Run) - (Run == 0 ? 0 : end_of_run<Program>(Run - 1));
-
-    template <std::size_t Program>
-    static constexpr auto write_interface() {
-        joining::characters<draft<Program>.interface.size()> all{};
-        draft<Program>.interface.write(all);
-        return all;
-    }
-
-    template <std::size_t Program>
-    static constexpr auto interface_characters = write_interface<Program>();
-
-    template <std::size_t Program, std::size_t... Run>
-    static constexpr auto split(std::index_sequence<Run...>) {
-        using runs = joining::joined<joining::placed<Run, joining::block<run_size<Program, Run>>>...>;
-        return __builtin_bit_cast(runs, interface_characters<Program>);
-    }
-
-    template <std::size_t Program>
-    static constexpr auto runs = split<Program>(std::make_index_sequence<gaps<Program>.size() + 1>{});
-
-    template <std::size_t Program, std::size_t First, std::size_t... I>
-    static constexpr const auto& join_some(std::index_sequence<I...>) {
-        return joining::joined_files<draft<Program>.files[First + I]...>;
-    }
-
-    /// Files in groups, as one outline has most groups of another.
-    template <std::size_t Program, std::size_t Group>
-    static constexpr const auto& group() {
-        constexpr std::size_t first = Group * joining::group_size, rest = file_count<Program> - first;
-        return join_some<Program, first>(
-            std::make_index_sequence<(rest < joining::group_size ? rest : joining::group_size)>{});
-    }
-
-    template <std::size_t Program, std::size_t... Group>
-    using blocks_of_groups =
-        joining::joined<joining::placed<Group, std::remove_cvref_t<decltype(group<Program, Group>())>>...,
-                        joining::placed<sizeof...(Group), joining::block<1>>>;
-
-    // A variable: a compiler copies the results and arguments of calls.
-    template <std::size_t Program, std::size_t... Group>
-    static constexpr blocks_of_groups<Program, Group...> joined_groups{{group<Program, Group>()}...,
-                                                                       {joining::block<1>{{'\0'}}}};
-
-    template <std::size_t Program, std::size_t... Group>
-    static constexpr const auto& join_groups(std::index_sequence<Group...>) {
-        return joined_groups<Program, Group...>;
-    }
-
-    /// The characters of a program's interface before its gap `Run`, or after all gaps.
-    template <std::size_t Program, std::size_t Run>
-    using run_block = joining::block<run_size<Program, Run>>;
-    template <std::size_t Program, std::size_t Run>
-    static constexpr const run_block<Program, Run>& run() {
-        return static_cast<const joining::placed<Run, run_block<Program, Run>>&>(runs<Program>);
-    }
-
-    /// The files of a program, NUL-terminated.
-    template <std::size_t Program>
-    static constexpr const auto& files() {
-        return join_groups<Program>(
-            std::make_index_sequence<(file_count<Program> + joining::group_size - 1) / joining::group_size>{});
-    }
+template <class Parts, std::size_t Program, class Runs>
+struct interface_runs;
+template <class Parts, std::size_t Program, std::size_t... Run>
+struct interface_runs<Parts, Program, std::index_sequence<Run...>> {
+    template <std::size_t At>
+    using block = joining::block<(end_of_run<Parts, Program>(At) -
+                                  (At == 0 ? 0 : end_of_run<Parts, Program>(At - 1)))>;
+    using blocks = joining::sequence<block<Run>...>;
+    static constexpr blocks value = __builtin_bit_cast(blocks, interface_block<Parts, Program>);
 };
+
+/// The characters of a program's interface before its gaps and after them.
+template <class Parts, std::size_t Program>
+using runs = interface_runs<Parts, Program, std::make_index_sequence<gaps<Parts, Program>.size() + 1>>;
+
+template <class Parts, std::size_t Program, std::size_t First, class Places>
+struct files_from;
+template <class Parts, std::size_t Program, std::size_t First, std::size_t... I>
+struct files_from<Parts, Program, First, std::index_sequence<I...>> {
+    using type = joining::file_group<draft<Parts, Program>.files.items[First + I]...>;
+};
+
+constexpr std::size_t least(std::size_t one, std::size_t other) {
+    return one < other ? one : other;
+}
+
+/// The files of a program, a group at a time.
+template <class Parts, std::size_t Program, std::size_t Group, std::size_t First = Group * joining::files_in_group>
+using file_group = typename files_from<
+    Parts, Program, First,
+    std::make_index_sequence<least(draft<Parts, Program>.files.size() - First, joining::files_in_group)>>::type;
+
+template <class Parts, std::size_t Program>
+using file_groups = std::make_index_sequence<(draft<Parts, Program>.files.size() + joining::files_in_group - 1) /
+                                             joining::files_in_group>;
+
+}
 
 }

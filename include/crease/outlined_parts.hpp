@@ -35,7 +35,6 @@ template <class... OpenParts>
 struct open_parts {
     static constexpr choice parts[] = {OpenParts::value...};
 };
-struct no_parts {};
 
 template <class Places, class... Parts>
 struct open_all;
@@ -51,19 +50,5 @@ template <class... Parts>
 using outlined_parts =
     typename outlining::open_all<std::make_index_sequence<sizeof...(Parts)>, Parts...>::type;
 
-
-namespace outlining {
-
-/// No parts where they make no effect, so that there is no second error after the assertion's.
-template <bool Legal, class... Parts>
-struct legal_parts {
-    using type = outlined_parts<Parts...>;
-};
-template <class... Parts>
-struct legal_parts<false, Parts...> {
-    using type = no_parts;
-};
-
-}
 
 }

@@ -146,9 +146,7 @@ public:
 private:
     struct storage {
         program written;
-        struct {
-            char items[interface_text::most_characters];
-        } interface;
+        char interface[interface_text::most_characters];
         glsl_file pieces[1 + 40];
         std::size_t piece_count = 0;
     };
@@ -160,7 +158,7 @@ private:
         own.written = write_program(planned, each);
         own.written.interface.write(own.interface);
         own.pieces[own.piece_count++] = {"interface",
-                                         std::string_view(own.interface.items, own.written.interface.size())};
+                                         std::string_view(own.interface, own.written.interface.size())};
         for (const glsl_file* file : own.written.files)
             own.pieces[own.piece_count++] = *file;
         Described whole = describe(planned, each);
