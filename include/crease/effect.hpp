@@ -13,22 +13,21 @@ namespace crease {
 /// An effect's own: what depends on the numbers that its outline leaves open.
 namespace composing {
 
-template <class Effect, int Number>
-inline constexpr int number_in = open_number::value_of(Number, Effect::choices);
+template <class Effect, std::size_t Program, std::size_t Gap>
+using number_in = joining::number<open_number::value_of(
+    outlining::gaps<typename Effect::outline, Program>[Gap].number, Effect::choices)>;
 
 template <class Effect, std::size_t Program, class Gaps>
 struct filled;
 template <class Effect, std::size_t Program, std::size_t... Gap>
 struct filled<Effect, Program, std::index_sequence<Gap...>> {
-    using parts = typename Effect::outline;
-    using runs = outlining::runs<parts, Program>;
-    template <std::size_t At>
-    static constexpr int number = number_in<Effect, outlining::gaps<parts, Program>[At].number>;
-    using blocks =
-        joining::sequence<joining::pair<typename runs::template block<Gap>, joining::block<digits_of(number<Gap>)>>...,
-                          typename runs::template block<sizeof...(Gap)>>;
-    static constexpr blocks value{{{joining::block_in<Gap>(runs::value), joining::digits<number<Gap>>}}...,
-                                  {joining::block_in<sizeof...(Gap)>(runs::value)}};
+    using runs = outlining::runs<typename Effect::outline, Program>;
+    using blocks = joining::sequence<joining::pair<typename runs::template before<Gap>,
+                                                   typename number_in<Effect, Program, Gap>::characters>...,
+                                     typename runs::last>;
+    static constexpr blocks value{
+        {{joining::block_in<Gap>(runs::value), number_in<Effect, Program, Gap>::text}}...,
+        {joining::block_in<sizeof...(Gap)>(runs::value)}};
 };
 
 /// A program's interface, with its numbers.

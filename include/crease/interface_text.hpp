@@ -15,26 +15,14 @@ namespace crease {
 
 static_assert(std::endian::native == std::endian::little, "crease packs text for little-endian processors");
 
-/// Characters in words of eight, the first in the lowest byte, filled up with zeros.
-template <std::size_t Size>
-struct packed_text {
-    std::uint64_t words[(Size + 7) / 8];
-};
-
-// Functions of their own: a compiler keeps what one returned for the same arguments.
+/// Characters in a word, the first in the lowest byte, filled up with zeros. A function of its own, as a compiler
+/// keeps what one returned for the same arguments.
 /// @param count  <= 8
 constexpr std::uint64_t pack(const char* from, std::size_t count) {
     std::uint64_t word = 0;
     while (count-- > 0)
         word = word << 8 | static_cast<unsigned char>(from[count]);
     return word;
-}
-template <std::size_t Size>
-constexpr packed_text<Size> pack(const char (&literal)[Size]) {
-    packed_text<Size> packed{};
-    for (std::size_t i = 0; i < Size; i += 8)
-        packed.words[i / 8] = pack(literal + i, Size - i < 8 ? Size - i : 8);
-    return packed;
 }
 
 /// The characters of a number.
@@ -52,32 +40,20 @@ class interface_text {
 public:
     /// An open number, which has no characters.
     struct gap {
-        std::size_t at; ///< characters before it
+        std::size_t before; ///< characters between it and the one before
         int number;
     };
 
-    template <std::size_t Size>
-    constexpr interface_text& operator<<(const char (&literal)[Size]) {
-        const packed_text<Size> packed = pack(literal);
-        std::size_t i = 0;
-        for (; i + 8 < Size; i += 8)
-            add(packed.words[i / 8], 8);
-        add(packed.words[i / 8], Size - 1 - i);
-        return *this;
-    }
-    constexpr interface_text& operator<<(std::string_view text) {
-        const char* from = text.data();
-        const std::size_t size = text.size();
-        for (std::size_t i = 0; i < size; i += 8) {
-            const std::size_t count = size - i < 8 ? size - i : 8;
-            add(pack(from + i, count), count);
-        }
-        return *this;
+    constexpr interface_text& operator<<(std::string_view text) { return add(text.data(), text.size()); }
+    // A compiler knows the length of a literal, and std::string_view counts it character by character.
+    constexpr interface_text& operator<<(const char* literal) {
+        return add(literal, __builtin_strlen(literal));
     }
     /// @param number  >= 0, or open
     constexpr interface_text& operator<<(int number) {
         if (open_number::is(number)) {
-            gaps_.add({size_, number});
+            gaps_.add({after_gaps_, number});
+            after_gaps_ = 0;
             return *this;
         }
         std::uint64_t word = 0;
@@ -94,6 +70,7 @@ public:
 
     constexpr std::size_t size() const { return size_; }
     constexpr const fixed_list<gap, 32>& gaps() const { return gaps_; }
+    constexpr std::size_t after_gaps() const { return after_gaps_; }
 
     /// More than `size()` ever is, unless a host's parts have names of hundreds of characters.
     static constexpr std::size_t most_characters = 4096;
@@ -115,6 +92,12 @@ public:
     void write(char* to) const { std::memcpy(to, words_, size_); }
 
 private:
+    constexpr interface_text& add(const char* from, std::size_t count) {
+        for (; count > 8; count -= 8, from += 8)
+            add(pack(from, 8), 8);
+        add(pack(from, count), count);
+        return *this;
+    }
     /// @param count  <= 8; the characters behind are zeros
     constexpr void add(std::uint64_t characters, std::size_t count) {
         if (size_ + count > most_characters)
@@ -124,10 +107,11 @@ private:
         if (before + count > 8)
             words_[at + 1] = characters >> (64 - 8 * before);
         size_ += count;
+        after_gaps_ += count;
     }
 
     std::uint64_t words_[most_characters / 8] = {};
-    std::size_t size_ = 0;
+    std::size_t size_ = 0, after_gaps_ = 0;
     fixed_list<gap, 32> gaps_;
 };
 

@@ -20,9 +20,11 @@ struct eight {
     char characters[8];
 };
 
-/// A number's characters.
 template <int Number>
-inline constexpr auto digits = (interface_text{} << Number).template first<digits_of(Number)>();
+struct number {
+    using characters = block<digits_of(Number)>;
+    static constexpr characters text = (interface_text{} << Number).template first<digits_of(Number)>();
+};
 
 template <std::size_t Size>
 constexpr block<Size> block_at(const char* from) {

@@ -89,31 +89,24 @@ template <class Parts, std::size_t Program>
 inline constexpr auto
     gaps = shrink<draft<Parts, Program>.interface.gaps().size()>(draft<Parts, Program>.interface.gaps());
 
-/// Where a run of the interface's characters ends: at a gap, or at the end of all.
-template <class Parts, std::size_t Program>
-constexpr std::size_t end_of_run(std::size_t run) {
-    return run < gaps<Parts, Program>.size() ? gaps<Parts, Program>[run].at
-                                             : draft<Parts, Program>.interface.size();
-}
-
 template <class Parts, std::size_t Program>
 inline constexpr auto
     interface_block = draft<Parts, Program>.interface.template first<draft<Parts, Program>.interface.size()>();
 
-template <class Parts, std::size_t Program, class Runs>
+template <class Parts, std::size_t Program, class Gaps>
 struct interface_runs;
-template <class Parts, std::size_t Program, std::size_t... Run>
-struct interface_runs<Parts, Program, std::index_sequence<Run...>> {
-    template <std::size_t At>
-    using block = joining::block<(end_of_run<Parts, Program>(At) -
-                                  (At == 0 ? 0 : end_of_run<Parts, Program>(At - 1)))>;
-    using blocks = joining::sequence<block<Run>...>;
+template <class Parts, std::size_t Program, std::size_t... Gap>
+struct interface_runs<Parts, Program, std::index_sequence<Gap...>> {
+    template <std::size_t Place>
+    using before = joining::block<gaps<Parts, Program>[Place].before>;
+    using last = joining::block<draft<Parts, Program>.interface.after_gaps()>;
+    using blocks = joining::sequence<before<Gap>..., last>;
     static constexpr blocks value = __builtin_bit_cast(blocks, interface_block<Parts, Program>);
 };
 
 /// The characters of a program's interface before its gaps and after them.
 template <class Parts, std::size_t Program>
-using runs = interface_runs<Parts, Program, std::make_index_sequence<gaps<Parts, Program>.size() + 1>>;
+using runs = interface_runs<Parts, Program, std::make_index_sequence<gaps<Parts, Program>.size()>>;
 
 template <class Parts, std::size_t Program, std::size_t First, class Places>
 struct files_from;

@@ -48,11 +48,12 @@ public:
     program out;
 
     constexpr void add_file(const glsl_file* file) {
-        for (const glsl_file* before : out.files)
-            if (before == file)
+        if (!file)
+            return;
+        for (std::size_t i = 0; i < out.files.count; ++i)
+            if (out.files.items[i] == file)
                 return;
-        if (file)
-            out.files.add(file);
+        out.files.items[out.files.count++] = file;
     }
 
     constexpr void add_files(array_view<const glsl_file* const> files) {
@@ -128,18 +129,14 @@ public:
     }
 
     constexpr void write_version(array_view<const role> roles) {
-        if (has_main_ && vulkan_)
-            out.interface << "#version 450\n#extension GL_EXT_control_flow_attributes : enable\n";
-        else if (has_main_)
-            out.interface << "#version 430\n";
+        if (has_main_)
+            out.interface << (vulkan_ ? "#version 450\n#extension GL_EXT_control_flow_attributes : enable\n"
+                                      : "#version 430\n");
         for (role r : roles)
             if (const choice* c = plan_.find(r); has_main_ && c && !c->what->extension.empty())
                 out.interface << "#extension " << c->what->extension << " : require\n";
         // A host that takes functions writes its own #version and #extension.
-        if (has_main_ && vulkan_)
-            out.interface << "#define crease_unroll [[unroll]]\n";
-        else
-            out.interface << "#define crease_unroll\n";
+        out.interface << "#define crease_unroll" << (has_main_ && vulkan_ ? " [[unroll]]\n" : "\n");
     }
 
     constexpr void write_workgroup(std::size_t& first) {
@@ -161,17 +158,14 @@ public:
     }
 
     constexpr void write_constant(std::string_view part, std::string_view name, int value) {
-        out.interface << "const int crease_" << part;
-        if (!part.empty())
-            out.interface << "_";
-        out.interface << name << " = " << value << ";\n";
+        out.interface << "const int crease_" << part << (part.empty() ? "" : "_") << name << " = " << value
+                      << ";\n";
     }
 
     /// Which camera the program works for; one for both begins with the first and turns to the second itself.
     constexpr void write_view(int view) {
-        if (view >= 0)
-            out.interface << "const ";
-        out.interface << "int crease_view_index = " << (view < 0 ? 0 : view) << ";\n";
+        out.interface << (view < 0 ? "" : "const ") << "int crease_view_index = " << (view < 0 ? 0 : view)
+                      << ";\n";
     }
 
     constexpr void write_declarations() {
@@ -196,25 +190,23 @@ private:
 
     constexpr void write_declaration(const binding& b) {
         const resource& r = plan_.resources[b.resource];
-        const format_facts texels = facts_of(r.texels);
+        const format_facts& texels = facts_of(r.texels);
         const std::string_view prefix = texels.whole_numbers ? "u" : "";
         const std::string_view shape = r.samples > 1 ? "2DMS" : r.arrayed ? "2DArray" : "2D";
         interface_text& text = out.interface;
         if (b.how == access::sample) {
+            text << "layout(" << (vulkan_ ? "set = " : "binding = ");
             if (vulkan_)
-                text << "layout(set = " << b.set << ", binding = ";
-            else
-                text << "layout(binding = ";
+                text << b.set << ", binding = ";
             text << b.slot << ") uniform " << prefix << "sampler" << shape << " crease_" << b.name << ";\n";
         } else if (kind(b) == access::store) {
             text << "layout(" << texels.glsl;
             write_place(b);
-            text << ") uniform ";
-            if (b.how == access::store)
-                text << "writeonly ";
-            else if (b.how == access::load)
-                text << "readonly ";
-            text << prefix << "image" << shape << " crease_" << b.name << ";\n";
+            text << ") uniform "
+                 << (b.how == access::store  ? "writeonly "
+                     : b.how == access::load ? "readonly "
+                                             : "")
+                 << prefix << "image" << shape << " crease_" << b.name << ";\n";
         } else if (b.how == access::attachment && has_main_) {
             text << "layout(location = " << b.slot << ") out " << prefix << "vec4 crease_" << b.name << ";\n";
         }

@@ -30,20 +30,21 @@ struct format_facts {
     bool extended = false;      ///< storing needs shaderStorageImageExtendedFormats
 };
 
-constexpr format_facts facts_of(format f) {
-    constexpr format_facts all[] = {
-        {"none", ""},
-        {"r8_unorm", "r8", false, true},
-        {"rgba8_unorm", "rgba8"},
-        {"r32_uint", "r32ui", true},
-        {"rg32_uint", "rg32ui", true, true},
-        {"r32_float", "r32f"},
-        {"rg32_float", "rg32f", false, true},
-        {"rgba16_float", "rgba16f"},
-        {"rgba32_float", "rgba32f"},
-        {"d32_float", ""},
-    };
-    return all[static_cast<unsigned>(f)];
+inline constexpr format_facts facts_of_formats[] = {
+    {"none", ""},
+    {"r8_unorm", "r8", false, true},
+    {"rgba8_unorm", "rgba8"},
+    {"r32_uint", "r32ui", true},
+    {"rg32_uint", "rg32ui", true, true},
+    {"r32_float", "r32f"},
+    {"rg32_float", "rg32f", false, true},
+    {"rgba16_float", "rgba16f"},
+    {"rgba32_float", "rgba32f"},
+    {"d32_float", ""},
+};
+
+constexpr const format_facts& facts_of(format f) {
+    return facts_of_formats[static_cast<unsigned>(f)];
 }
 
 /// How a pass touches a resource.
