@@ -52,8 +52,8 @@ public:
     /// @param number  >= 0, or open
     constexpr interface_text& operator<<(int number) {
         if (open_number::is(number)) {
-            gaps_.add({after_gaps_, number});
-            after_gaps_ = 0;
+            gaps_.add({after_gaps(), number});
+            last_gap_ = size_;
             return *this;
         }
         std::uint64_t word = 0;
@@ -70,7 +70,7 @@ public:
 
     constexpr std::size_t size() const { return size_; }
     constexpr const fixed_list<gap, 32>& gaps() const { return gaps_; }
-    constexpr std::size_t after_gaps() const { return after_gaps_; }
+    constexpr std::size_t after_gaps() const { return size_ - last_gap_; }
 
     /// More than `size()` ever is, unless a host's parts have names of hundreds of characters.
     static constexpr std::size_t most_characters = 4096;
@@ -107,11 +107,10 @@ private:
         if (before + count > 8)
             words_[at + 1] = characters >> (64 - 8 * before);
         size_ += count;
-        after_gaps_ += count;
     }
 
     std::uint64_t words_[most_characters / 8] = {};
-    std::size_t size_ = 0, after_gaps_ = 0;
+    std::size_t size_ = 0, last_gap_ = 0;
     fixed_list<gap, 32> gaps_;
 };
 

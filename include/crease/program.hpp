@@ -26,6 +26,13 @@ inline constexpr piece fullscreen_opengl[] = {
 
 namespace writing {
 
+// A compiler counts the characters of a std::string_view each time that one is made of a literal.
+namespace names {
+inline constexpr std::string_view none = "", parameters = "parameters", input = "input", output = "output",
+                                  compute = "compute", width = "width", height = "height",
+                                  divisor = "divisor", input_divisor = "input_divisor";
+}
+
 /// Where the bindings and constants of a program begin: chosen by the host for functions, else 0.
 struct places {
     unsigned set = 0, first_binding = 0, first_constant = 0;
@@ -40,10 +47,15 @@ constexpr places places_of(const choice& c) {
 /// Collects what a program is made of, for one plan.
 class program_writer {
 public:
-    constexpr program_writer(const plan& of, bool has_main, places at)
+    /// @param roles  whose parts' functions the program calls
+    constexpr program_writer(const plan& of, array_view<const role> roles, bool has_main, places at)
         : plan_(of), has_main_(has_main), at_(at),
           vulkan_(of.chosen(role::dialect).what->dialect_of == dialect_kind::vulkan),
-          next_id_(at.first_constant) {}
+          next_id_(at.first_constant) {
+        for (role r : roles)
+            if (const choice* c = of.find(r))
+                called_[called_count_++] = c;
+    }
 
     program out;
 
@@ -66,17 +78,23 @@ public:
         add_file(e.glsl);
     }
 
-    /// The files of parts of these roles; an extra comes after its part, where another of them needs it.
-    constexpr void add_files_of(array_view<const role> roles) {
-        for (role r : roles)
-            if (const choice* c = plan_.find(r)) {
-                add_files(c->what->helpers);
-                add_file(c->what->glsl);
-                for (const extra& e : c->what->extras)
-                    for (role other : roles)
-                        if (const choice* o = plan_.find(other); o && has(o->what->needs, e.on_need))
-                            add_file(e.glsl);
-            }
+    /// The files of the parts that are called; an extra comes after its part, where another of them needs it.
+    constexpr void add_files_of_called() {
+        for (std::size_t i = 0; i < called_count_; ++i) {
+            const part& p = *called_[i]->what;
+            add_files(p.helpers);
+            add_file(p.glsl);
+            for (std::size_t e = 0; e < p.extras.count; ++e)
+                for (std::size_t other = 0; other < called_count_; ++other)
+                    if (called_[other]->what->needs.count != 0 &&
+                        has(called_[other]->what->needs, p.extras.items[e].on_need))
+                        add_file(p.extras.items[e].glsl);
+        }
+    }
+
+    constexpr void add_constants_of_called() {
+        for (std::size_t i = 0; i < called_count_; ++i)
+            add_constants_of(*called_[i]);
     }
 
     constexpr void add_constants_of(const choice& c) {
@@ -89,8 +107,8 @@ public:
     }
 
     constexpr void add_workgroup(int width, int height) {
-        out.constants.add({"compute", "width", next_id_++, width});
-        out.constants.add({"compute", "height", next_id_++, height});
+        out.constants.add({names::compute, names::width, next_id_++, width});
+        out.constants.add({names::compute, names::height, next_id_++, height});
     }
 
     /// @param name  in GLSL
@@ -106,11 +124,10 @@ public:
         bind(name, resource, plan_.resources[resource].read);
     }
 
-    constexpr void bind_resources_of(array_view<const role> roles, int view) {
-        for (role r : roles)
-            if (const choice* c = plan_.find(r))
-                for (const resource& used : c->what->resources)
-                    bind_read(used.name, plan_.index_of(used.name, view));
+    constexpr void bind_resources_of_called(int view) {
+        for (std::size_t i = 0; i < called_count_; ++i)
+            for (const resource& used : called_[i]->what->resources)
+                bind_read(used.name, plan_.index_of(used.name, view));
     }
 
     // Vulkan counts all bindings of a set; OpenGL counts blocks, textures and images apart.
@@ -128,13 +145,13 @@ public:
         }
     }
 
-    constexpr void write_version(array_view<const role> roles) {
+    constexpr void write_version() {
         if (has_main_)
             out.interface << (vulkan_ ? "#version 450\n#extension GL_EXT_control_flow_attributes : enable\n"
                                       : "#version 430\n");
-        for (role r : roles)
-            if (const choice* c = plan_.find(r); has_main_ && c && !c->what->extension.empty())
-                out.interface << "#extension " << c->what->extension << " : require\n";
+        for (std::size_t i = 0; has_main_ && i < called_count_; ++i)
+            if (!called_[i]->what->extension.empty())
+                out.interface << "#extension " << called_[i]->what->extension << " : require\n";
         // A host that takes functions writes its own #version and #extension.
         out.interface << "#define crease_unroll" << (has_main_ && vulkan_ ? " [[unroll]]\n" : "\n");
     }
@@ -191,8 +208,8 @@ private:
     constexpr void write_declaration(const binding& b) {
         const resource& r = plan_.resources[b.resource];
         const format_facts& texels = facts_of(r.texels);
-        const std::string_view prefix = texels.whole_numbers ? "u" : "";
-        const std::string_view shape = r.samples > 1 ? "2DMS" : r.arrayed ? "2DArray" : "2D";
+        const char* prefix = texels.whole_numbers ? "u" : "";
+        const char* shape = r.samples > 1 ? "2DMS" : r.arrayed ? "2DArray" : "2D";
         interface_text& text = out.interface;
         if (b.how == access::sample) {
             text << "layout(" << (vulkan_ ? "set = " : "binding = ");
@@ -213,6 +230,8 @@ private:
     }
 
     const plan& plan_;
+    const choice* called_[role_count]{};
+    std::size_t called_count_ = 0;
     bool has_main_;
     places at_;
     bool vulkan_;
@@ -226,7 +245,7 @@ constexpr void write_results(program_writer& to, const plan& p, const planned_pa
     text << "#define crease_write(pixel, result)";
     for (std::size_t i = 0; i < pass.outputs.size(); ++i) {
         const encoding& e = pass.last ? *output.final_images[i] : *output.between;
-        const std::string_view image = i == 0 ? "output" : e.name;
+        const std::string_view image = i == 0 ? names::output : e.name;
         if (stage == stage_kind::compute)
             text << " imageStore(crease_" << image << ", pixel, crease_encode_" << e.name << "(result));";
         else
@@ -246,8 +265,7 @@ constexpr program write_evaluate(const plan& p, const planned_pass& pass) {
     const stage_kind kind = stage.what->stage_of;
     const bool functions = kind == stage_kind::functions;
     const part& output = *p.chosen(role::output).what;
-    const array_view<const role> roles = pass.what->includes;
-    program_writer to(p, !functions, functions ? places_of(stage) : places{});
+    program_writer to(p, pass.what->includes, !functions, functions ? places_of(stage) : places{});
 
     to.add_file(&parameters_glsl);
     to.add_file(&types_glsl);
@@ -255,7 +273,7 @@ constexpr program write_evaluate(const plan& p, const planned_pass& pass) {
     const bool is_main = pass.what == &main_step;
     if (is_main)
         to.add_file(&receiver_glsl);
-    to.add_files_of(roles);
+    to.add_files_of_called();
     if (is_main) {
         const choice* fold = p.find(role::fold);
         if (!fold) {
@@ -279,35 +297,33 @@ constexpr program write_evaluate(const plan& p, const planned_pass& pass) {
     to.add_file(pass.body);
     to.add_file(stage.what->glsl);
 
-    to.bind("parameters", 0, access::uniform);
-    to.bind_resources_of(roles, 0);
+    to.bind(names::parameters, 0, access::uniform);
+    to.bind_resources_of_called(0);
     for (std::string_view name : pass.what->reads)
         to.bind_read(name, p.index_of(name));
     if (pass.input >= 0)
-        to.bind_read("input", static_cast<unsigned>(pass.input));
+        to.bind_read(names::input, static_cast<unsigned>(pass.input));
     constexpr access of_stage[] = {access::store, access::attachment, access::result};
     for (std::size_t i = 0; i < pass.outputs.size(); ++i)
-        to.bind(i == 0 ? "output" : p.resources[pass.outputs[i]].name, pass.outputs[i],
+        to.bind(i == 0 ? names::output : p.resources[pass.outputs[i]].name, pass.outputs[i],
                 of_stage[static_cast<unsigned>(kind)]);
     to.number_bindings();
 
     if (kind == stage_kind::compute)
         to.add_workgroup(stage.numbers[0], stage.numbers[1]);
-    for (role r : roles)
-        if (const choice* c = p.find(r))
-            to.add_constants_of(*c);
+    to.add_constants_of_called();
     to.add_constants_of(pass.owner);
 
     std::size_t first = 0;
-    to.write_version(roles);
+    to.write_version();
     if (kind == stage_kind::compute)
         to.write_workgroup(first);
     to.write_constants(first);
     for (const step_constant& c : pass.what->constants)
         to.write_constant(c.of.empty() ? pass.owner.what->name : c.of, c.name, c.value);
-    to.write_constant("", "divisor", static_cast<int>(pass.size.divisor));
+    to.write_constant(names::none, names::divisor, static_cast<int>(pass.size.divisor));
     if (pass.input >= 0)
-        to.write_constant("", "input_divisor", static_cast<int>(pass.input_divisor));
+        to.write_constant(names::none, names::input_divisor, static_cast<int>(pass.input_divisor));
     to.write_view(pass.view);
     if (pass.input >= 0)
         to.out.interface << "#define crease_decode crease_decode_" << output.between->name << "\n";
@@ -326,10 +342,10 @@ constexpr const glsl_file* shell_of(step_kind kind) {
 /// A pass of the depth source, which fills what the main pass reads: always a compute program.
 constexpr program write_build(const plan& p, const planned_pass& pass) {
     const step& s = *pass.what;
-    program_writer to(p, true, {});
+    program_writer to(p, s.includes, true, {});
     to.add_file(&parameters_glsl);
     to.add_file(&types_glsl);
-    to.add_files_of(s.includes);
+    to.add_files_of_called();
     if (const choice* fold = p.find(role::fold))
         to.add_file(fold->what->packs);
     for (const choice& c : p.choices)
@@ -340,8 +356,8 @@ constexpr program write_build(const plan& p, const planned_pass& pass) {
     to.add_file(s.body);
     to.add_file(shell_of(s.kind));
 
-    to.bind("parameters", 0, access::uniform);
-    to.bind_resources_of(s.includes, pass.view);
+    to.bind(names::parameters, 0, access::uniform);
+    to.bind_resources_of_called(pass.view);
     for (std::string_view name : s.reads)
         to.bind_read(name, p.index_of(name, pass.view));
     for (std::size_t i = 0; i < pass.outputs.size(); ++i)
@@ -349,18 +365,16 @@ constexpr program write_build(const plan& p, const planned_pass& pass) {
     to.number_bindings();
 
     to.add_workgroup(s.group_width, s.group_height);
-    for (role r : s.includes)
-        if (const choice* c = p.find(r))
-            to.add_constants_of(*c);
+    to.add_constants_of_called();
     to.add_constants_of(pass.owner);
 
     std::size_t first = 0;
-    to.write_version(s.includes);
+    to.write_version();
     to.write_workgroup(first);
     to.write_constants(first);
     for (const step_constant& c : s.constants)
         to.write_constant(c.of.empty() ? pass.owner.what->name : c.of, c.name, c.value);
-    to.write_constant("", "divisor", static_cast<int>(pass.size.divisor));
+    to.write_constant(names::none, names::divisor, static_cast<int>(pass.size.divisor));
     to.write_view(pass.view);
     to.out.interface << "#define crease_build_size imageSize(crease_" << p.resources[pass.outputs[0]].name
                      << ").xy\n";
@@ -379,21 +393,18 @@ constexpr program write_program(const plan& p, const planned_pass& pass) {
 /// Writes what a host adds to its geometry pass.
 constexpr program write_program(const plan& p, const planned_capture& capture) {
     const capture_step& s = *capture.what;
-    writing::program_writer to(p, false, writing::places_of(capture.owner));
+    writing::program_writer to(p, s.includes, false, writing::places_of(capture.owner));
     to.add_file(&parameters_glsl);
     to.add_file(&types_glsl);
-    to.add_files_of(s.includes);
+    to.add_files_of_called();
     to.add_files(s.helpers);
     to.add_file(s.body);
-    to.bind("parameters", 0, access::uniform);
-    for (role r : s.includes)
-        for (const resource& used : p.chosen(r).what->resources)
-            to.bind_read(used.name, p.index_of(used.name));
+    to.bind(writing::names::parameters, 0, access::uniform);
+    to.bind_resources_of_called(0);
     to.bind(s.writes, capture.output, s.how);
     to.number_bindings();
     to.add_constants_of(p.chosen(role::depth_source));
-    for (role r : s.includes)
-        to.add_constants_of(p.chosen(r));
+    to.add_constants_of_called();
     to.write_constants(0);
     to.write_view(capture.view);
     to.write_declarations();
