@@ -262,8 +262,9 @@ constexpr auto assert_all() {
     }
 }
 
-/// The outline of parts that make an effect; where they do not, an assertion says why, and it is void. The rules
-/// are checked on values first, as a template for each rule and part costs a compiler more than all else.
+/// The outline of parts that make an effect; where they do not, an assertion says why, and it is void. The
+/// rules are checked on values first, as a template for each rule and part costs a compiler more than all
+/// else.
 template <class... Parts>
 using legal_outline = decltype(assert_all<Parts...>());
 

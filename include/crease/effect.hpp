@@ -13,6 +13,7 @@ namespace crease {
 /// An effect's own: what depends on the numbers that its outline leaves open.
 namespace composing {
 
+/// The number of a gap of a program's interface.
 template <class Effect, std::size_t Program, std::size_t Gap>
 using number_in = joining::number<open_number::value_of(
     outlining::gaps<typename Effect::outline, Program>[Gap].number, Effect::choices)>;
@@ -32,21 +33,23 @@ struct filled<Effect, Program, std::index_sequence<Gap...>> {
 
 /// A program's interface, with its numbers.
 template <class Effect, std::size_t Program>
-using interface =
-    filled<Effect, Program, std::make_index_sequence<outlining::gaps<typename Effect::outline, Program>.size()>>;
+using interface = filled<Effect, Program,
+                         std::make_index_sequence<outlining::gaps<typename Effect::outline, Program>.size()>>;
 
 template <class Effect, std::size_t Program>
-inline constexpr joining::characters<sizeof(interface<Effect, Program>::value)> interface_characters =
-    __builtin_bit_cast(joining::characters<sizeof(interface<Effect, Program>::value)>,
-                       interface<Effect, Program>::value);
+inline constexpr joining::characters<sizeof(interface<Effect, Program>::value)>
+    interface_characters = __builtin_bit_cast(joining::characters<sizeof(interface<Effect, Program>::value)>,
+                                              interface<Effect, Program>::value);
 
 template <class Effect, std::size_t Program>
 inline constexpr glsl_file interface_piece{
-    "interface", std::string_view(interface_characters<Effect, Program>.items, sizeof(interface<Effect, Program>::value))};
+    "interface",
+    std::string_view(interface_characters<Effect, Program>.items, sizeof(interface<Effect, Program>::value))};
 
 template <class Effect, std::size_t Program, std::size_t... I>
 constexpr std::array<piece, 1 + sizeof...(I)> list_pieces(std::index_sequence<I...>) {
-    return {interface_piece<Effect, Program>, *outlining::draft<typename Effect::outline, Program>.files[I]...};
+    return {interface_piece<Effect, Program>,
+            *outlining::draft<typename Effect::outline, Program>.files[I]...};
 }
 
 template <class Effect, std::size_t Program>
@@ -106,8 +109,8 @@ struct whole<Effect, Program, std::index_sequence<Group...>> {
 
 /// The whole text of a program, NUL-terminated.
 template <class Effect, std::size_t Program>
-inline constexpr std::string_view text = joining::view_of(
-    whole<Effect, Program, outlining::file_groups<typename Effect::outline, Program>>::text);
+inline constexpr std::string_view text =
+    joining::view_of(whole<Effect, Program, outlining::file_groups<typename Effect::outline, Program>>::text);
 
 }
 
@@ -123,8 +126,8 @@ struct effect {
     using outline = rules::legal_outline<Sampler, DepthSource, Estimator, Rest...>;
 
     /// The parts with their numbers: a `recipe` of them is the same effect at run time.
-    static constexpr choice choices[] = {choice_of<Sampler>(), choice_of<DepthSource>(), choice_of<Estimator>(),
-                                         choice_of<Rest>()...};
+    static constexpr choice choices[] = {choice_of<Sampler>(), choice_of<DepthSource>(),
+                                         choice_of<Estimator>(), choice_of<Rest>()...};
 
     /// What the host's geometry pass fills before the passes run; none for most effects.
     static constexpr std::array<capture, outlining::planned<outline>.captures.size()> captures =
@@ -135,8 +138,8 @@ struct effect {
         composing::list_passes<effect>(std::make_index_sequence<composing::pass_count<effect>>{});
 
     /// The resources that the passes use; 0 is the block of parameters, the outputs are the last.
-    static constexpr const std::array<resource, outlining::planned<outline>.resources.size()>&
-        resources = outlining::resources<outline>;
+    static constexpr const std::array<resource, outlining::planned<outline>.resources.size()>& resources =
+        outlining::resources<outline>;
 
     /// The device features that all passes together require.
     static constexpr const device_features& features = outlining::features<outline>;
@@ -147,7 +150,8 @@ struct effect {
     /// The whole text of a pass, NUL-terminated, with static storage; made only where it is named. Its
     /// characters are read at run time, as they are kept in words; constant expressions read `pieces`.
     template <std::size_t Pass>
-    static constexpr std::string_view source = composing::text<effect, composing::capture_count<effect> + Pass>;
+    static constexpr std::string_view source =
+        composing::text<effect, composing::capture_count<effect> + Pass>;
 
     /// The whole text of a capture, likewise.
     template <std::size_t Capture>

@@ -15,8 +15,8 @@ namespace crease {
 
 static_assert(std::endian::native == std::endian::little, "crease packs text for little-endian processors");
 
-/// Characters in a word, the first in the lowest byte, filled up with zeros. A function of its own, as a compiler
-/// keeps what one returned for the same arguments.
+/// Characters in a word, the first in the lowest byte, filled up with zeros. A function of its own, as a
+/// compiler keeps what one returned for the same arguments.
 /// @param count  <= 8
 constexpr std::uint64_t pack(const char* from, std::size_t count) {
     std::uint64_t word = 0;
@@ -34,8 +34,8 @@ constexpr std::size_t digits_of(int number) {
     return digits;
 }
 
-/// What stands before the files of a program: version, constants and bindings. It is kept in words, as a compiler
-/// takes as long for a character as for a word.
+/// What stands before the files of a program: version, constants and bindings. It is kept in words, as a
+/// compiler takes as long for a character as for a word.
 class interface_text {
 public:
     /// An open number, which has no characters.

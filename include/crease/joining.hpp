@@ -20,6 +20,7 @@ struct eight {
     char characters[8];
 };
 
+/// A number's characters.
 template <int Number>
 struct number {
     using characters = block<digits_of(Number)>;

@@ -49,15 +49,16 @@ constexpr std::array<Item, Count> shrink(const fixed_list<Item, Capacity>& list)
     return all;
 }
 
-/// What a compiler takes long for, once for all effects with the same `outlined_parts`. All of it stands outside of
-/// classes, as the templates in a class are gone through for each of its instances.
+/// What a compiler takes long for, once for all effects with the same `outlined_parts`. All of it stands
+/// outside of classes, as the templates in a class are gone through for each of its instances.
 namespace outlining {
 
 // Variables and not functions that return what they call: a compiler evaluates that once more to warn of it.
 template <class Parts>
 inline constexpr plan planned = make_plan(Parts::parts);
+// Of parts that make no effect: no second error after the assertion's.
 template <>
-inline constexpr plan planned<void> = {}; // of parts that make no effect: no second error after the assertion's
+inline constexpr plan planned<void> = {};
 
 template <class Parts>
 inline constexpr auto resources = shrink<planned<Parts>.resources.size()>(planned<Parts>.resources);
@@ -90,8 +91,8 @@ inline constexpr auto
     gaps = shrink<draft<Parts, Program>.interface.gaps().size()>(draft<Parts, Program>.interface.gaps());
 
 template <class Parts, std::size_t Program>
-inline constexpr auto
-    interface_block = draft<Parts, Program>.interface.template first<draft<Parts, Program>.interface.size()>();
+inline constexpr auto interface_block =
+    draft<Parts, Program>.interface.template first<draft<Parts, Program>.interface.size()>();
 
 template <class Parts, std::size_t Program, class Gaps>
 struct interface_runs;
@@ -120,14 +121,17 @@ constexpr std::size_t least(std::size_t one, std::size_t other) {
 }
 
 /// The files of a program, a group at a time.
-template <class Parts, std::size_t Program, std::size_t Group, std::size_t First = Group * joining::files_in_group>
-using file_group = typename files_from<
-    Parts, Program, First,
-    std::make_index_sequence<least(draft<Parts, Program>.files.size() - First, joining::files_in_group)>>::type;
+template <class Parts, std::size_t Program, std::size_t Group,
+          std::size_t First = Group* joining::files_in_group>
+using file_group =
+    typename files_from<Parts, Program, First,
+                        std::make_index_sequence<least(draft<Parts, Program>.files.size() - First,
+                                                       joining::files_in_group)>>::type;
 
 template <class Parts, std::size_t Program>
-using file_groups = std::make_index_sequence<(draft<Parts, Program>.files.size() + joining::files_in_group - 1) /
-                                             joining::files_in_group>;
+using file_groups =
+    std::make_index_sequence<(draft<Parts, Program>.files.size() + joining::files_in_group - 1) /
+                             joining::files_in_group>;
 
 }
 

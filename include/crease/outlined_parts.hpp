@@ -45,10 +45,10 @@ struct open_all<std::index_sequence<Place...>, Parts...> {
 
 }
 
-/// What effects have in common that differ only in numbers that may be left open: `parts`, an array of choices.
+/// What effects have in common that differ only in numbers that may be left open: `parts`, an array of
+/// choices.
 template <class... Parts>
 using outlined_parts =
     typename outlining::open_all<std::make_index_sequence<sizeof...(Parts)>, Parts...>::type;
-
 
 }

@@ -47,8 +47,10 @@ struct number {
     int least, most; ///< inclusive
     int fallback;    ///< where a recipe gives none
     std::string_view meaning;
-    bool in_glsl =
-        true; ///< false: the number places bindings and the like, and is no constant of the program
+    /// Whether it is a constant of the programs. Effects that differ only in such numbers are written once,
+    /// except for numbers of a depth source, a depth encoding or a second view and for a filter's upsampling,
+    /// on which passes and resources depend. False: it places bindings and the like.
+    bool in_glsl = true;
 };
 
 /// A field of `parameters` that a part reads, and the value that it recommends.
