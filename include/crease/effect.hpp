@@ -79,15 +79,9 @@ constexpr auto described() {
     return whole;
 }
 
-template <class Effect>
-inline constexpr std::size_t capture_count = outlining::planned<typename Effect::outline>.captures.size();
-
-template <class Effect>
-inline constexpr std::size_t pass_count = outlining::planned<typename Effect::outline>.passes.size();
-
 template <class Effect, std::size_t... I>
 constexpr std::array<pass, sizeof...(I)> list_passes(std::index_sequence<I...>) {
-    return {described<Effect, capture_count<Effect> + I>()...};
+    return {described<Effect, outlining::capture_count<typename Effect::outline> + I>()...};
 }
 
 template <class Effect, std::size_t... I>
@@ -130,12 +124,12 @@ struct effect {
                                          choice_of<Estimator>(), choice_of<Rest>()...};
 
     /// What the host's geometry pass fills before the passes run; none for most effects.
-    static constexpr std::array<capture, outlining::planned<outline>.captures.size()> captures =
-        composing::list_captures<effect>(std::make_index_sequence<composing::capture_count<effect>>{});
+    static constexpr std::array<capture, outlining::capture_count<outline>> captures =
+        composing::list_captures<effect>(std::make_index_sequence<outlining::capture_count<outline>>{});
 
     /// The passes in the order of execution.
-    static constexpr std::array<pass, outlining::planned<outline>.passes.size()> passes =
-        composing::list_passes<effect>(std::make_index_sequence<composing::pass_count<effect>>{});
+    static constexpr std::array<pass, outlining::pass_count<outline>> passes =
+        composing::list_passes<effect>(std::make_index_sequence<outlining::pass_count<outline>>{});
 
     /// The resources that the passes use; 0 is the block of parameters, the outputs are the last.
     static constexpr const std::array<resource, outlining::planned<outline>.resources.size()>& resources =
@@ -151,7 +145,7 @@ struct effect {
     /// characters are read at run time, as they are kept in words; constant expressions read `pieces`.
     template <std::size_t Pass>
     static constexpr std::string_view source =
-        composing::text<effect, composing::capture_count<effect> + Pass>;
+        composing::text<effect, outlining::capture_count<outline> + Pass>;
 
     /// The whole text of a capture, likewise.
     template <std::size_t Capture>

@@ -61,6 +61,12 @@ template <>
 inline constexpr plan planned<void> = {};
 
 template <class Parts>
+inline constexpr std::size_t capture_count = planned<Parts>.captures.size();
+
+template <class Parts>
+inline constexpr std::size_t pass_count = planned<Parts>.passes.size();
+
+template <class Parts>
 inline constexpr auto resources = shrink<planned<Parts>.resources.size()>(planned<Parts>.resources);
 
 template <class Parts>
@@ -72,10 +78,10 @@ inline constexpr parameters defaults = default_parameters(planned<Parts>.choices
 /// Programs are counted over the captures and then the passes.
 template <class Parts, std::size_t Program>
 constexpr const auto& planned_program() {
-    if constexpr (Program < planned<Parts>.captures.size())
+    if constexpr (Program < capture_count<Parts>)
         return planned<Parts>.captures[Program];
     else
-        return planned<Parts>.passes[Program - planned<Parts>.captures.size()];
+        return planned<Parts>.passes[Program - capture_count<Parts>];
 }
 
 template <class Parts, std::size_t Program>

@@ -62,10 +62,10 @@ public:
     constexpr void add_file(const glsl_file* file) {
         if (!file)
             return;
-        for (std::size_t i = 0; i < out.files.count; ++i)
-            if (out.files.items[i] == file)
+        for (const glsl_file* before : out.files)
+            if (before == file)
                 return;
-        out.files.items[out.files.count++] = file;
+        out.files.add(file);
     }
 
     constexpr void add_files(array_view<const glsl_file* const> files) {
