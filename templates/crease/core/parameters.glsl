@@ -26,8 +26,16 @@ layout(crease_parameters_place) uniform crease_parameters {
     float crease_falloff;
 } crease_given;
 
+// A camera as shaders use it: in their texel space whole numbers are the centres of the depth image's texels, those of
+// the guard band too.
+crease_view_parameters crease_view_of(int index) {
+    crease_view_parameters view = crease_given.crease_views[index];
+    view.from_texel.zw += (0.5 - view.guard) * view.from_texel.xy;
+    return view;
+}
+
 // Read once, as not every compiler takes the reading out of a loop.
-crease_view_parameters crease_view = crease_given.crease_views[crease_view_index]; // of the camera at work
+crease_view_parameters crease_view = crease_view_of(crease_view_index); // of the camera at work
 float crease_radius = crease_given.crease_radius;
 float crease_bias = crease_given.crease_bias;
 float crease_threshold = crease_given.crease_threshold;

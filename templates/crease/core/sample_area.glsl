@@ -7,7 +7,7 @@ R"glsl("
 // it comes nearest to the ray-traced truth of that radius.
 vec4 crease_sample_area(vec2 texel, mat2 disk) {
     vec2 reach = 0.25 * vec2(length(vec2(disk[0].x, disk[1].x)), length(vec2(disk[0].y, disk[1].y)));
-    return vec4(texel - reach, texel + reach);
+    return vec4(texel + 0.5 - reach, texel + 0.5 + reach);
 }
 #ifdef __cplusplus
 ")glsl"

@@ -15,15 +15,15 @@ ivec2 crease_size(int divisor) { return (ivec2(crease_view.resolution) + divisor
 // than those of any size.
 bool crease_inside(vec2 texel) {
     vec2 size = crease_view.resolution + 2.0 * crease_view.guard;
-    return all(lessThan(floatBitsToUint(texel + crease_view.guard), floatBitsToUint(size)));
+    return all(lessThan(floatBitsToUint(texel), floatBitsToUint(size)));
 }
 
 // What is loaded in place of a texel beside the depth image, where reading would find anything at all.
-const vec2 crease_first_texel = vec2(0.5);
+const vec2 crease_first_texel = vec2(0.0);
 
-// The texel of the picture that stands for a pixel of a picture that is smaller by `divisor`.
+// The texel that stands for a pixel of a picture that is smaller by `divisor`.
 vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
-    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_view.resolution) - 1)) + 0.5;
+    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_view.resolution) - 1)) + crease_view.guard;
 }
 #ifdef __cplusplus
 ")glsl"

@@ -15,7 +15,7 @@ void crease_build(ivec2 texel) {
     crease_unroll for (int group = 0; group < crease_group_count(); ++group)
         groups[group] = vec4(crease_background);
     // The depth image is the first camera's.
-    float front = crease_view_index == 0 ? crease_depth_at(vec2(texel) + 0.5 - crease_view.guard) : 0.0;
+    float front = crease_view_index == 0 ? crease_depth_at(vec2(texel)) : 0.0;
     int packed_count = 0;
     crease_unroll for (int i = 0; i < crease_stochastic_layers_count; ++i) {
         float depth = crease_captured_depth(texel, i);

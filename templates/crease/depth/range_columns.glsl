@@ -14,7 +14,7 @@ void crease_build_line(int line) {
     int along = int(gl_LocalInvocationID.y), count = int(gl_WorkGroupSize.y);
     vec4 own = crease_range_empty();
     for (int y = along; y < int(crease_view.resolution.y); y += count) {
-        float depth = crease_area_depth(crease_depth_at(vec2(line, y) + 0.5));
+        float depth = crease_area_depth(crease_depth_at(crease_texel_of_pixel(ivec2(line, y), 1)));
         if (depth > 0.0)
             own = crease_range_join(own, vec4(depth, depth, depth, 1.0));
     }

@@ -10,7 +10,7 @@ int crease_group_count();
 // Of a texel inside the depth image.
 vec4 crease_fetch_group(vec2 texel, int group) {
     int index = crease_view_index * crease_group_count() + group;
-    return imageLoad(crease_packed_layers, ivec3(texel + crease_view.guard, index));
+    return imageLoad(crease_packed_layers, ivec3(texel, index));
 }
 #ifdef __cplusplus
 ")glsl"

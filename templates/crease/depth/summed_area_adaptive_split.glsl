@@ -52,7 +52,7 @@ void crease_build(ivec2 texel) {
         vec3 position = crease_area_mean(own);
         vec3 across, up;
         crease_axes(crease_to_eye(position), across, up);
-        vec2 middle = (vec2(texel) + 0.5 - crease_view.guard) * float(crease_divisor);
+        vec2 middle = (vec2(texel) + 0.5 - crease_view.guard) * float(crease_divisor) + crease_view.guard - 0.5;
         ivec4 box = crease_areas_box(crease_sample_area(middle, crease_disk(position, across, up)));
         crease_summed_area_adaptive_means means = crease_summed_area_adaptive_around(box);
         // By a margin, so that rounding does not scatter a surface that faces the eye over both; z points to the eye.

@@ -2,11 +2,11 @@
 R"glsl("
 #endif
 // SPDX-License-Identifier: MIT
-// A tap that takes in an area of the picture.
+// A tap that takes in an area of the depth image.
 struct crease_tap {
     vec4 area;   // left, top, right and bottom edge, texels
     vec2 texel;  // in the middle
-    bool inside; // whether any of it may be in the picture
+    bool inside; // whether any of it may be in the depth image
 };
 #ifdef __cplusplus
 ")glsl"

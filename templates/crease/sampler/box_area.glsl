@@ -9,14 +9,14 @@ struct crease_pattern {
     vec2 rows; // top and bottom edge, texels
 };
 
-// The edges of the square along one axis, within the picture; or of the last texel, where the square reaches past it.
+// The edges of the square along one axis, within the depth image; or of the last texel, where the square reaches past it.
 vec2 crease_box_area_edges(float texel, float size, bool past) {
-    float before = texel - 0.5 - float(crease_box_area_size / 2);
+    float before = texel - float(crease_box_area_size / 2);
     float after = before + float(crease_box_area_size / 2 * 2);
-    float last = size + crease_view.guard;
+    float last = size + 2.0 * crease_view.guard;
     if (past)
         return vec2(after > last ? last - 1.0 : last, last);
-    return clamp(vec2(before, after), -crease_view.guard, last);
+    return clamp(vec2(before, after), 0.0, last);
 }
 
 crease_pattern crease_pattern_begin(crease_receiver receiver) { return crease_pattern(vec2(0.0)); }

@@ -24,8 +24,8 @@ vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
     vec2 texel = receiver.texel + vec2(float(step - crease_box_window_half()), pattern.row);
     // The listing counts both edges in: a texel just past the far one reads the last.
-    vec2 middle = 0.5 * crease_view.resolution;
-    bool inside = all(lessThanEqual(abs(texel - 0.5 - middle), middle + crease_view.guard));
+    vec2 middle = 0.5 * crease_view.resolution + crease_view.guard;
+    bool inside = all(lessThanEqual(abs(texel - middle), middle));
     return crease_tap(texel, inside);
 }
 #ifdef __cplusplus

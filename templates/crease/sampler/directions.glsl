@@ -10,7 +10,7 @@ vec2 crease_noise(ivec2 pixel);
 struct crease_pattern {
     vec2 direction; // unit, on the disk that faces the eye
     vec2 stride;    // texels
-    vec2 first;     // texels, from the receiver to step 0
+    vec2 first;     // texels, of step 0; rounded down it is the texel
     float offset;   // of step 0, in strides
     float nearest;  // strides that make a texel, in the root mean square over the directions on the screen
 };
@@ -37,12 +37,12 @@ vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
                              turn.y * pattern.direction.x + turn.x * pattern.direction.y);
     pattern.offset = fract(pattern.offset + 0.61803399); // another first step in each direction
     pattern.stride = receiver.disk * (pattern.direction * (1.0 / float(crease_directions_steps + 1)));
-    pattern.first = receiver.texel + pattern.stride * (pattern.offset + pattern.nearest);
+    pattern.first = receiver.texel + 0.5 + pattern.stride * (pattern.offset + pattern.nearest);
     return pattern.direction;
 }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
-    vec2 texel = floor(pattern.first + pattern.stride * float(step)) + 0.5;
+    vec2 texel = floor(pattern.first + pattern.stride * float(step));
     return crease_tap(texel, crease_inside(texel));
 }
 #ifdef __cplusplus

@@ -30,7 +30,7 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     pattern.direction = vec2(golden_angle.x * pattern.direction.x - golden_angle.y * pattern.direction.y,
                              golden_angle.y * pattern.direction.x + golden_angle.x * pattern.direction.y);
     float distance = sqrt((float(step) + pattern.offset) / float(crease_step_count()));
-    vec2 texel = floor(receiver.texel + receiver.disk * (pattern.direction * distance)) + 0.5;
+    vec2 texel = floor(receiver.texel + 0.5 + receiver.disk * (pattern.direction * distance));
     // The ray as start + t * ray from the receiver: at t = 0 it is as deep as the receiver, and t counts depth.
     float depth = -receiver.position.z;
     vec3 at_depth = crease_view_position(texel, depth);

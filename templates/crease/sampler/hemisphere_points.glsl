@@ -42,7 +42,7 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     vec2 sideways = pattern.direction * sqrt(share);
     vec3 point = receiver.position + (crease_radius * pattern.distance) *
         (pattern.tangent * sideways.x + pattern.bitangent * sideways.y + receiver.normal * sqrt(1.0 - share));
-    vec2 texel = floor(crease_texel_at(point)) + 0.5;
+    vec2 texel = floor(crease_texel_at(point) + 0.5);
     vec3 moved = crease_view_position(texel, -point.z);
     // A point that its texel moved out of the hemisphere says nothing; so a plane is unoccluded at every slant.
     bool above = dot(moved - receiver.position, receiver.normal) > 0.0;

@@ -29,7 +29,7 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     pattern.direction = vec2(golden_angle.x * pattern.direction.x - golden_angle.y * pattern.direction.y,
                              golden_angle.y * pattern.direction.x + golden_angle.x * pattern.direction.y);
     float distance = sqrt((float(step) + pattern.offset) / float(crease_poisson_disk_count));
-    vec2 texel = floor(receiver.texel + receiver.disk * (pattern.direction * distance)) + 0.5;
+    vec2 texel = floor(receiver.texel + 0.5 + receiver.disk * (pattern.direction * distance));
     return crease_tap(texel, texel != receiver.texel && crease_inside(texel));
 }
 #ifdef __cplusplus

@@ -37,7 +37,7 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     vec2 sideways = pattern.direction * sqrt(1.0 - height * height);
     vec3 point = receiver.position + (crease_radius * pow(pattern.volume, 1.0 / 3.0)) *
         (receiver.across * sideways.x + receiver.up * sideways.y + receiver.to_eye * height);
-    vec2 texel = floor(crease_texel_at(point)) + 0.5;
+    vec2 texel = floor(crease_texel_at(point) + 0.5);
     return crease_tap(texel, point.z < 0.0 && crease_inside(texel), crease_view_position(texel, -point.z));
 }
 #ifdef __cplusplus

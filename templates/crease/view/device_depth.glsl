@@ -7,7 +7,7 @@ R"glsl("
 float crease_linear_depth(float device);
 
 float crease_depth_at(vec2 texel) {
-    return crease_linear_depth(textureLod(crease_depth, (texel + crease_view.guard) * crease_view.texel_size, 0.0).x);
+    return crease_linear_depth(textureLod(crease_depth, (texel + 0.5) * crease_view.texel_size, 0.0).x);
 }
 #ifdef __cplusplus
 ")glsl"

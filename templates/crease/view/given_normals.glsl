@@ -7,7 +7,7 @@ R"glsl("
 vec3 crease_to_eye(vec3 position);
 
 vec3 crease_normal_at(vec2 texel, vec3 position) {
-    vec3 normal = textureLod(crease_normal, (texel + crease_view.guard) * crease_view.texel_size, 0.0).xyz;
+    vec3 normal = textureLod(crease_normal, (texel + 0.5) * crease_view.texel_size, 0.0).xyz;
     float squared = dot(normal, normal);
     return squared > 0.0 ? normal * inversesqrt(squared) : crease_to_eye(position);
 }

@@ -5,7 +5,7 @@ R"glsl("
 // A pass before has stored linear depth.
 float crease_depth_at(vec2 texel) {
     vec2 there = crease_inside(texel) ? texel : crease_first_texel;
-    return imageLoad(crease_linearised_depth, ivec2(there + crease_view.guard)).x;
+    return imageLoad(crease_linearised_depth, ivec2(there)).x;
 }
 #ifdef __cplusplus
 ")glsl"

@@ -18,7 +18,7 @@ crease_result crease_evaluate(ivec2 pixel) {
         return crease_open();
     crease_gathered gathered = crease_gather(receiver);
 
-    crease_view = crease_given.crease_views[1];
+    crease_view = crease_view_of(1);
     crease_view_index = 1;
     mat4 second_from_first = crease_given.crease_second_from_first;
     vec3 position = (second_from_first * vec4(receiver.position, 1.0)).xyz;

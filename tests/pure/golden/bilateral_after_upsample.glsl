@@ -37,8 +37,16 @@ layout(crease_parameters_place) uniform crease_parameters {
     float crease_falloff;
 } crease_given;
 
+// A camera as shaders use it: in their texel space whole numbers are the centres of the depth image's texels, those of
+// the guard band too.
+crease_view_parameters crease_view_of(int index) {
+    crease_view_parameters view = crease_given.crease_views[index];
+    view.from_texel.zw += (0.5 - view.guard) * view.from_texel.xy;
+    return view;
+}
+
 // Read once, as not every compiler takes the reading out of a loop.
-crease_view_parameters crease_view = crease_given.crease_views[crease_view_index]; // of the camera at work
+crease_view_parameters crease_view = crease_view_of(crease_view_index); // of the camera at work
 float crease_radius = crease_given.crease_radius;
 float crease_bias = crease_given.crease_bias;
 float crease_threshold = crease_given.crease_threshold;
@@ -63,15 +71,15 @@ ivec2 crease_size(int divisor) { return (ivec2(crease_view.resolution) + divisor
 // than those of any size.
 bool crease_inside(vec2 texel) {
     vec2 size = crease_view.resolution + 2.0 * crease_view.guard;
-    return all(lessThan(floatBitsToUint(texel + crease_view.guard), floatBitsToUint(size)));
+    return all(lessThan(floatBitsToUint(texel), floatBitsToUint(size)));
 }
 
 // What is loaded in place of a texel beside the depth image, where reading would find anything at all.
-const vec2 crease_first_texel = vec2(0.5);
+const vec2 crease_first_texel = vec2(0.0);
 
-// The texel of the picture that stands for a pixel of a picture that is smaller by `divisor`.
+// The texel that stands for a pixel of a picture that is smaller by `divisor`.
 vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
-    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_view.resolution) - 1)) + 0.5;
+    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_view.resolution) - 1)) + crease_view.guard;
 }
 // SPDX-License-Identifier: MIT
 // What a pass computes for a pixel.

@@ -36,8 +36,16 @@ layout(crease_parameters_place) uniform crease_parameters {
     float crease_falloff;
 } crease_given;
 
+// A camera as shaders use it: in their texel space whole numbers are the centres of the depth image's texels, those of
+// the guard band too.
+crease_view_parameters crease_view_of(int index) {
+    crease_view_parameters view = crease_given.crease_views[index];
+    view.from_texel.zw += (0.5 - view.guard) * view.from_texel.xy;
+    return view;
+}
+
 // Read once, as not every compiler takes the reading out of a loop.
-crease_view_parameters crease_view = crease_given.crease_views[crease_view_index]; // of the camera at work
+crease_view_parameters crease_view = crease_view_of(crease_view_index); // of the camera at work
 float crease_radius = crease_given.crease_radius;
 float crease_bias = crease_given.crease_bias;
 float crease_threshold = crease_given.crease_threshold;
@@ -62,15 +70,15 @@ ivec2 crease_size(int divisor) { return (ivec2(crease_view.resolution) + divisor
 // than those of any size.
 bool crease_inside(vec2 texel) {
     vec2 size = crease_view.resolution + 2.0 * crease_view.guard;
-    return all(lessThan(floatBitsToUint(texel + crease_view.guard), floatBitsToUint(size)));
+    return all(lessThan(floatBitsToUint(texel), floatBitsToUint(size)));
 }
 
 // What is loaded in place of a texel beside the depth image, where reading would find anything at all.
-const vec2 crease_first_texel = vec2(0.5);
+const vec2 crease_first_texel = vec2(0.0);
 
-// The texel of the picture that stands for a pixel of a picture that is smaller by `divisor`.
+// The texel that stands for a pixel of a picture that is smaller by `divisor`.
 vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
-    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_view.resolution) - 1)) + 0.5;
+    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_view.resolution) - 1)) + crease_view.guard;
 }
 // SPDX-License-Identifier: MIT
 // What a pass computes for a pixel.
@@ -139,7 +147,7 @@ mat2 crease_disk(vec3 position, vec3 across, vec3 up) {
 float crease_linear_depth(float device);
 
 float crease_depth_at(vec2 texel) {
-    return crease_linear_depth(textureLod(crease_depth, (texel + crease_view.guard) * crease_view.texel_size, 0.0).x);
+    return crease_linear_depth(textureLod(crease_depth, (texel + 0.5) * crease_view.texel_size, 0.0).x);
 }
 // SPDX-License-Identifier: MIT
 // One layer of depth, that of the receivers.
@@ -161,7 +169,7 @@ float crease_layer_depth(crease_layers layers, int layer) { return layers.depth;
 vec3 crease_to_eye(vec3 position);
 
 vec3 crease_normal_at(vec2 texel, vec3 position) {
-    vec3 normal = textureLod(crease_normal, (texel + crease_view.guard) * crease_view.texel_size, 0.0).xyz;
+    vec3 normal = textureLod(crease_normal, (texel + 0.5) * crease_view.texel_size, 0.0).xyz;
     float squared = dot(normal, normal);
     return squared > 0.0 ? normal * inversesqrt(squared) : crease_to_eye(position);
 }
@@ -183,7 +191,7 @@ vec2 crease_noise(ivec2 pixel) {
 // A tap on the screen, at the centre of a texel.
 struct crease_tap {
     vec2 texel;
-    bool inside; // whether the texel is in the picture
+    bool inside; // whether the texel is in the depth image
 };
 // SPDX-License-Identifier: MIT
 // Directions that divide the circle evenly, marched in even steps; both start at a random offset per pixel:
@@ -194,7 +202,7 @@ vec2 crease_noise(ivec2 pixel);
 struct crease_pattern {
     vec2 direction; // unit, on the disk that faces the eye
     vec2 stride;    // texels
-    vec2 first;     // texels, from the receiver to step 0
+    vec2 first;     // texels, of step 0; rounded down it is the texel
     float offset;   // of step 0, in strides
     float nearest;  // strides that make a texel, in the root mean square over the directions on the screen
 };
@@ -221,12 +229,12 @@ vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
                              turn.y * pattern.direction.x + turn.x * pattern.direction.y);
     pattern.offset = fract(pattern.offset + 0.61803399); // another first step in each direction
     pattern.stride = receiver.disk * (pattern.direction * (1.0 / float(crease_directions_steps + 1)));
-    pattern.first = receiver.texel + pattern.stride * (pattern.offset + pattern.nearest);
+    pattern.first = receiver.texel + 0.5 + pattern.stride * (pattern.offset + pattern.nearest);
     return pattern.direction;
 }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
-    vec2 texel = floor(pattern.first + pattern.stride * float(step)) + 0.5;
+    vec2 texel = floor(pattern.first + pattern.stride * float(step));
     return crease_tap(texel, crease_inside(texel));
 }
 // SPDX-License-Identifier: MIT

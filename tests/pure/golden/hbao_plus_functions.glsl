@@ -30,8 +30,16 @@ layout(crease_parameters_place) uniform crease_parameters {
     float crease_falloff;
 } crease_given;
 
+// A camera as shaders use it: in their texel space whole numbers are the centres of the depth image's texels, those of
+// the guard band too.
+crease_view_parameters crease_view_of(int index) {
+    crease_view_parameters view = crease_given.crease_views[index];
+    view.from_texel.zw += (0.5 - view.guard) * view.from_texel.xy;
+    return view;
+}
+
 // Read once, as not every compiler takes the reading out of a loop.
-crease_view_parameters crease_view = crease_given.crease_views[crease_view_index]; // of the camera at work
+crease_view_parameters crease_view = crease_view_of(crease_view_index); // of the camera at work
 float crease_radius = crease_given.crease_radius;
 float crease_bias = crease_given.crease_bias;
 float crease_threshold = crease_given.crease_threshold;
@@ -56,15 +64,15 @@ ivec2 crease_size(int divisor) { return (ivec2(crease_view.resolution) + divisor
 // than those of any size.
 bool crease_inside(vec2 texel) {
     vec2 size = crease_view.resolution + 2.0 * crease_view.guard;
-    return all(lessThan(floatBitsToUint(texel + crease_view.guard), floatBitsToUint(size)));
+    return all(lessThan(floatBitsToUint(texel), floatBitsToUint(size)));
 }
 
 // What is loaded in place of a texel beside the depth image, where reading would find anything at all.
-const vec2 crease_first_texel = vec2(0.5);
+const vec2 crease_first_texel = vec2(0.0);
 
-// The texel of the picture that stands for a pixel of a picture that is smaller by `divisor`.
+// The texel that stands for a pixel of a picture that is smaller by `divisor`.
 vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
-    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_view.resolution) - 1)) + 0.5;
+    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_view.resolution) - 1)) + crease_view.guard;
 }
 // SPDX-License-Identifier: MIT
 // What a pass computes for a pixel.
@@ -131,7 +139,7 @@ mat2 crease_disk(vec3 position, vec3 across, vec3 up) {
 // The depth image holds positive linear view depth.
 
 float crease_depth_at(vec2 texel) {
-    float depth = textureLod(crease_depth, (texel + crease_view.guard) * crease_view.texel_size, 0.0).x;
+    float depth = textureLod(crease_depth, (texel + 0.5) * crease_view.texel_size, 0.0).x;
     return depth > 0.0 && depth < crease_view.far_depth ? depth : crease_background; // a hole is no occluder at the eye
 }
 // SPDX-License-Identifier: MIT
@@ -154,7 +162,7 @@ float crease_layer_depth(crease_layers layers, int layer) { return layers.depth;
 vec3 crease_to_eye(vec3 position);
 
 vec3 crease_normal_at(vec2 texel, vec3 position) {
-    vec3 normal = textureLod(crease_normal, (texel + crease_view.guard) * crease_view.texel_size, 0.0).xyz;
+    vec3 normal = textureLod(crease_normal, (texel + 0.5) * crease_view.texel_size, 0.0).xyz;
     float squared = dot(normal, normal);
     return squared > 0.0 ? normal * inversesqrt(squared) : crease_to_eye(position);
 }
@@ -176,7 +184,7 @@ vec2 crease_noise(ivec2 pixel) {
 // A tap on the screen, at the centre of a texel.
 struct crease_tap {
     vec2 texel;
-    bool inside; // whether the texel is in the picture
+    bool inside; // whether the texel is in the depth image
 };
 // SPDX-License-Identifier: MIT
 // A disk of points that keep apart: a spiral of golden angles, on which no two of N points are nearer to each other
@@ -206,7 +214,7 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     pattern.direction = vec2(golden_angle.x * pattern.direction.x - golden_angle.y * pattern.direction.y,
                              golden_angle.y * pattern.direction.x + golden_angle.x * pattern.direction.y);
     float distance = sqrt((float(step) + pattern.offset) / float(crease_poisson_disk_count));
-    vec2 texel = floor(receiver.texel + receiver.disk * (pattern.direction * distance)) + 0.5;
+    vec2 texel = floor(receiver.texel + 0.5 + receiver.disk * (pattern.direction * distance));
     return crease_tap(texel, texel != receiver.texel && crease_inside(texel));
 }
 // SPDX-License-Identifier: MIT

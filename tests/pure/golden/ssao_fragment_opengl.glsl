@@ -32,8 +32,16 @@ layout(crease_parameters_place) uniform crease_parameters {
     float crease_falloff;
 } crease_given;
 
+// A camera as shaders use it: in their texel space whole numbers are the centres of the depth image's texels, those of
+// the guard band too.
+crease_view_parameters crease_view_of(int index) {
+    crease_view_parameters view = crease_given.crease_views[index];
+    view.from_texel.zw += (0.5 - view.guard) * view.from_texel.xy;
+    return view;
+}
+
 // Read once, as not every compiler takes the reading out of a loop.
-crease_view_parameters crease_view = crease_given.crease_views[crease_view_index]; // of the camera at work
+crease_view_parameters crease_view = crease_view_of(crease_view_index); // of the camera at work
 float crease_radius = crease_given.crease_radius;
 float crease_bias = crease_given.crease_bias;
 float crease_threshold = crease_given.crease_threshold;
@@ -58,15 +66,15 @@ ivec2 crease_size(int divisor) { return (ivec2(crease_view.resolution) + divisor
 // than those of any size.
 bool crease_inside(vec2 texel) {
     vec2 size = crease_view.resolution + 2.0 * crease_view.guard;
-    return all(lessThan(floatBitsToUint(texel + crease_view.guard), floatBitsToUint(size)));
+    return all(lessThan(floatBitsToUint(texel), floatBitsToUint(size)));
 }
 
 // What is loaded in place of a texel beside the depth image, where reading would find anything at all.
-const vec2 crease_first_texel = vec2(0.5);
+const vec2 crease_first_texel = vec2(0.0);
 
-// The texel of the picture that stands for a pixel of a picture that is smaller by `divisor`.
+// The texel that stands for a pixel of a picture that is smaller by `divisor`.
 vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
-    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_view.resolution) - 1)) + 0.5;
+    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_view.resolution) - 1)) + crease_view.guard;
 }
 // SPDX-License-Identifier: MIT
 // What a pass computes for a pixel.
@@ -133,7 +141,7 @@ mat2 crease_disk(vec3 position, vec3 across, vec3 up) {
 float crease_linear_depth(float device);
 
 float crease_depth_at(vec2 texel) {
-    return crease_linear_depth(textureLod(crease_depth, (texel + crease_view.guard) * crease_view.texel_size, 0.0).x);
+    return crease_linear_depth(textureLod(crease_depth, (texel + 0.5) * crease_view.texel_size, 0.0).x);
 }
 // SPDX-License-Identifier: MIT
 // One layer of depth, that of the receivers.
@@ -195,7 +203,7 @@ vec2 crease_noise(ivec2 pixel) {
 // A tap at a point of view space, moved onto the ray through the centre of the texel that it falls into.
 struct crease_tap {
     vec2 texel;
-    bool inside; // whether the texel is in the picture
+    bool inside; // whether the texel is in the depth image
     vec3 point;
 };
 // SPDX-License-Identifier: MIT
@@ -239,7 +247,7 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     vec2 sideways = pattern.direction * sqrt(share);
     vec3 point = receiver.position + (crease_radius * pattern.distance) *
         (pattern.tangent * sideways.x + pattern.bitangent * sideways.y + receiver.normal * sqrt(1.0 - share));
-    vec2 texel = floor(crease_texel_at(point)) + 0.5;
+    vec2 texel = floor(crease_texel_at(point) + 0.5);
     vec3 moved = crease_view_position(texel, -point.z);
     // A point that its texel moved out of the hemisphere says nothing; so a plane is unoccluded at every slant.
     bool above = dot(moved - receiver.position, receiver.normal) > 0.0;
