@@ -11,6 +11,7 @@ struct crease_estimate {
 
 struct crease_contribution {
     float occlusion; // the layer of a tap that has the most counts
+    float taps;      // 0 where the tap lies outside the depth image, else 1
 };
 
 crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_estimate(0.0, 0.0); }
@@ -19,13 +20,13 @@ void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     vec3 to_tap = position - receiver.position;
-    bool above = dot(to_tap, receiver.normal) > crease_bias * crease_radius;
-    return crease_contribution(above ? max(1.0 - length(to_tap) / crease_radius, 0.0) : 0.0);
+    bool above = tap.inside && dot(to_tap, receiver.normal) > crease_bias * crease_radius;
+    return crease_contribution(above ? max(1.0 - length(to_tap) / crease_radius, 0.0) : 0.0, tap.inside ? 1.0 : 0.0);
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {
     estimate.occlusion += contribution.occlusion;
-    estimate.taps += 1.0;
+    estimate.taps += contribution.taps;
 }
 
 float crease_estimate_occlusion(crease_estimate estimate) { return estimate.occlusion / max(estimate.taps, 1.0); }

@@ -14,7 +14,8 @@ struct crease_contribution { float occlusion; };
 crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_estimate(0.0); }
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
-    return crease_contribution(distance(position, receiver.position) < crease_radius ? 1.0 : 0.0);
+    bool near = tap.inside && distance(position, receiver.position) < crease_radius;
+    return crease_contribution(near ? 1.0 : 0.0);
 }
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {
     estimate.occlusion += contribution.occlusion;

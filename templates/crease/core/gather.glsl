@@ -35,8 +35,7 @@ void crease_gather_batch(inout crease_estimate estimate, inout crease_gathered g
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count) {
             crease_contribution contribution = crease_fold(estimate, receiver, batch.taps[i], batch.layers[i]);
-            if (batch.taps[i].inside)
-                crease_estimate_add(estimate, contribution);
+            crease_estimate_add(estimate, contribution);
             crease_gathered_tap(gathered, receiver, batch.taps[i], contribution);
         }
 }

@@ -13,6 +13,7 @@ struct crease_estimate {
 struct crease_contribution {
     float occlusion;
     float rise; // cosine between the normal and the way to the tap less the bias, where that occludes
+    float taps;
 };
 
 crease_estimate crease_estimate_begin(crease_receiver receiver) {
@@ -26,13 +27,14 @@ crease_contribution crease_weigh(crease_estimate estimate, crease_receiver recei
     float squared = dot(to_tap, to_tap);
     float rise = dot(to_tap, receiver.normal) * inversesqrt(squared) - crease_bias;
     float falloff = 1.0 - squared * estimate.reach;
-    rise = falloff > 0.0 ? max(rise, 0.0) : 0.0;
-    return crease_contribution(falloff * rise, rise);
+    bool counts = tap.inside && falloff > 0.0;
+    rise = counts ? max(rise, 0.0) : 0.0;
+    return crease_contribution(counts ? falloff * rise : 0.0, rise, tap.inside ? 1.0 : 0.0);
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {
     estimate.occlusion += contribution.occlusion;
-    estimate.taps += 1.0;
+    estimate.taps += contribution.taps;
 }
 
 float crease_estimate_occlusion(crease_estimate estimate) { return estimate.occlusion / max(estimate.taps, 1.0); }

@@ -10,7 +10,7 @@ float crease_bent_angle(float cosine, float sine);
 
 void crease_bend_tap(inout crease_bend bend, crease_receiver receiver, crease_tap tap,
                      crease_contribution contribution) {
-    bend.highest = max(bend.highest, tap.inside ? contribution.rise : 0.0);
+    bend.highest = max(bend.highest, contribution.rise);
 }
 
 void crease_bend_turn(inout crease_bend bend, crease_receiver receiver, crease_estimate estimate, vec2 direction) {

@@ -26,7 +26,8 @@ crease_contribution crease_weigh(crease_estimate estimate, crease_receiver recei
     float depth = -position.z;
     float whole = max(tap.far - tap.near, 0.0);
     float filled = clamp(tap.far - depth, 0.0, whole);
-    return crease_contribution(filled * crease_volume_reach(receiver, depth), whole);
+    return tap.inside ? crease_contribution(filled * crease_volume_reach(receiver, depth), whole)
+                      : crease_contribution(0.0, 0.0);
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {

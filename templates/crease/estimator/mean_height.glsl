@@ -30,7 +30,7 @@ crease_contribution crease_weigh(crease_estimate estimate, crease_receiver recei
     float height = dot(position - receiver.position, estimate.axis) * estimate.scale.x; // in radii
     float share = clamp((height - crease_bias) * estimate.scale.y, 0.0, 1.0);
     float beyond = clamp((height - crease_threshold) * estimate.scale.z, 0.0, 1.0);
-    return crease_contribution(share * (1.0 - beyond), 1.0);
+    return tap.inside ? crease_contribution(share * (1.0 - beyond), 1.0) : crease_contribution(0.0, 0.0);
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {

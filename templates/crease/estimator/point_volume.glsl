@@ -15,6 +15,7 @@ struct crease_estimate {
 
 struct crease_contribution {
     float occlusion;
+    float points;
 };
 
 crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_estimate(0.0, 0.0); }
@@ -22,14 +23,13 @@ crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
-    if (!(position.z > tap.point.z + crease_bias * crease_radius))
-        return crease_contribution(0.0);
-    return crease_contribution(crease_volume_reach(receiver, -position.z));
+    bool filled = tap.inside && position.z > tap.point.z + crease_bias * crease_radius;
+    return crease_contribution(filled ? crease_volume_reach(receiver, -position.z) : 0.0, tap.inside ? 1.0 : 0.0);
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {
     estimate.occluded += contribution.occlusion;
-    estimate.points += 1.0;
+    estimate.points += contribution.points;
 }
 
 float crease_estimate_occlusion(crease_estimate estimate) {

@@ -18,10 +18,13 @@ crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_
 
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 
+// A point close to the tangent plane says nothing, as rounding may put it behind the surface.
+bool crease_ssao_over(crease_receiver receiver, crease_tap tap) {
+    return dot(tap.point - receiver.position, receiver.normal) > crease_bias * crease_radius;
+}
+
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
-    // A point close to the tangent plane says nothing, as rounding may put it behind the surface.
-    float height = dot(tap.point - receiver.position, receiver.normal);
-    if (!(height > crease_bias * crease_radius))
+    if (!tap.inside || !crease_ssao_over(receiver, tap))
         return crease_contribution(0.0, 0.0);
     float apart = abs(receiver.position.z - position.z);
     float in_range = smoothstep(0.0, 1.0, crease_radius / max(apart, 1e-20));

@@ -6,10 +6,12 @@ R"glsl("
 // stochastic-depth-ao 7.1, Algorithm 10. A point beside the picture counts as open, as leaving it out would turn the cone
 // to the picture's middle.
 
+bool crease_ssao_over(crease_receiver receiver, crease_tap tap);
+
 void crease_bend_tap(inout crease_bend bend, crease_receiver receiver, crease_tap tap,
                      crease_contribution contribution) {
     vec3 to_point = tap.point - receiver.position;
-    float open = (tap.inside ? 1.0 - contribution.occlusion : 1.0) * contribution.points;
+    float open = crease_ssao_over(receiver, tap) ? 1.0 - contribution.occlusion : 0.0;
     bend.sum += to_point * (open * inversesqrt(max(dot(to_point, to_point), 1e-30)));
     bend.weight += open;
 }

@@ -26,7 +26,8 @@ void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     float rise = estimate.depth - crease_unsharp_mask_depth(-position.z);
-    return abs(rise) < crease_threshold ? crease_contribution(rise, 1.0) : crease_contribution(0.0, 0.0);
+    bool counts = tap.inside && abs(rise) < crease_threshold;
+    return counts ? crease_contribution(rise, 1.0) : crease_contribution(0.0, 0.0);
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {

@@ -71,8 +71,7 @@ crease_looks crease_take_fronts(inout crease_estimate estimate, crease_receiver 
             bool behind =
                 crease_look_behind(estimate, receiver, tap, position, crease_deferred_layers_angle != 0);
             crease_look_for(looks, crease_look(tap, front, tap.inside && behind));
-            if (tap.inside)
-                crease_estimate_add(estimate, front);
+            crease_estimate_add(estimate, front);
         }
     return looks;
 }

@@ -6,7 +6,7 @@ R"glsl("
 struct crease_tap {
     vec4 area;   // left, top, right and bottom edge, texels
     vec2 texel;  // in the middle
-    bool inside; // whether any of it may be in the depth image
+    bool inside; // whether any of it may be in the depth image; else it has no weight
 };
 #ifdef __cplusplus
 ")glsl"

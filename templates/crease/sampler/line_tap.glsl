@@ -5,7 +5,7 @@ R"glsl("
 // A tap along the ray through the centre of a texel, where that passes through the volume around the receiver.
 struct crease_tap {
     vec2 texel;
-    bool inside;     // whether the texel is in the depth image
+    bool inside;     // whether the texel is in the depth image; else it has no weight
     float near, far; // depths where the ray enters and leaves; near >= far where it misses
 };
 #ifdef __cplusplus

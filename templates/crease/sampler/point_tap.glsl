@@ -5,7 +5,7 @@ R"glsl("
 // A tap at a point of view space, moved onto the ray through the centre of the texel that it falls into.
 struct crease_tap {
     vec2 texel;
-    bool inside; // whether the texel is in the depth image
+    bool inside; // whether the texel is in the depth image; else it has no weight
     vec3 point;
 };
 #ifdef __cplusplus

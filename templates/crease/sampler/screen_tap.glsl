@@ -5,7 +5,7 @@ R"glsl("
 // A tap on the screen, at the centre of a texel.
 struct crease_tap {
     vec2 texel;
-    bool inside; // whether the texel is in the depth image
+    bool inside; // whether the texel is in the depth image; else it has no weight
 };
 #ifdef __cplusplus
 ")glsl"

@@ -191,7 +191,7 @@ vec2 crease_noise(ivec2 pixel) {
 // A tap on the screen, at the centre of a texel.
 struct crease_tap {
     vec2 texel;
-    bool inside; // whether the texel is in the depth image
+    bool inside; // whether the texel is in the depth image; else it has no weight
 };
 // SPDX-License-Identifier: MIT
 // Directions that divide the circle evenly, marched in even steps; both start at a random offset per pixel:
@@ -281,22 +281,24 @@ void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {
         : estimate.sin_tangent * estimate.bias.x + estimate.cos_tangent * estimate.bias.y;
 }
 
-// Sine of the angle of a tap that is as far `away` and as high over the tangent plane.
-float crease_hbao_sine(crease_estimate estimate, float away, float height) {
+// Sine of the angle of a tap, of the square of its distance and its height over the tangent plane.
+float crease_hbao_sine(crease_estimate estimate, float squared, float height) {
     // The tap's parts across and along the tangent plane, turned by the tangent's angle.
-    float across = min(height * estimate.steepness, away);
-    float along = sqrt(max(away * away - across * across, 0.0));
+    float away = sqrt(squared);
+    float across = height * estimate.steepness;
+    across = across < away ? across : away; // min() is more work for some drivers, which see to NaN in it
+    float along = sqrt(max(squared - across * across, 0.0));
     return (estimate.cos_tangent * across + estimate.sin_tangent * along) / away;
 }
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     vec3 to_tap = position - receiver.position;
     float squared = dot(to_tap, to_tap);
-    float away = sqrt(squared);
     float height = dot(to_tap, receiver.normal);
-    float sine = crease_hbao_sine(estimate, away, height);
+    float sine = crease_hbao_sine(estimate, squared, height);
     float falloff = 1.0 - squared * estimate.reach;
-    bool counts = sine > estimate.horizon && falloff > 0.0 && height > crease_threshold * away;
+    bool counts =
+        tap.inside && sine > estimate.horizon && falloff > 0.0 && height > crease_threshold * sqrt(squared);
     return counts ? crease_contribution(falloff * (sine - estimate.horizon), sine)
                   : crease_contribution(0.0, estimate.horizon);
 }
@@ -412,8 +414,7 @@ void crease_gather_batch(inout crease_estimate estimate, inout crease_gathered g
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count) {
             crease_contribution contribution = crease_fold(estimate, receiver, batch.taps[i], batch.layers[i]);
-            if (batch.taps[i].inside)
-                crease_estimate_add(estimate, contribution);
+            crease_estimate_add(estimate, contribution);
             crease_gathered_tap(gathered, receiver, batch.taps[i], contribution);
         }
 }

@@ -184,7 +184,7 @@ vec2 crease_noise(ivec2 pixel) {
 // A tap on the screen, at the centre of a texel.
 struct crease_tap {
     vec2 texel;
-    bool inside; // whether the texel is in the depth image
+    bool inside; // whether the texel is in the depth image; else it has no weight
 };
 // SPDX-License-Identifier: MIT
 // A disk of points that keep apart: a spiral of golden angles, on which no two of N points are nearer to each other
@@ -229,6 +229,7 @@ struct crease_estimate {
 struct crease_contribution {
     float occlusion;
     float rise; // cosine between the normal and the way to the tap less the bias, where that occludes
+    float taps;
 };
 
 crease_estimate crease_estimate_begin(crease_receiver receiver) {
@@ -242,13 +243,14 @@ crease_contribution crease_weigh(crease_estimate estimate, crease_receiver recei
     float squared = dot(to_tap, to_tap);
     float rise = dot(to_tap, receiver.normal) * inversesqrt(squared) - crease_bias;
     float falloff = 1.0 - squared * estimate.reach;
-    rise = falloff > 0.0 ? max(rise, 0.0) : 0.0;
-    return crease_contribution(falloff * rise, rise);
+    bool counts = tap.inside && falloff > 0.0;
+    rise = counts ? max(rise, 0.0) : 0.0;
+    return crease_contribution(counts ? falloff * rise : 0.0, rise, tap.inside ? 1.0 : 0.0);
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {
     estimate.occlusion += contribution.occlusion;
-    estimate.taps += 1.0;
+    estimate.taps += contribution.taps;
 }
 
 float crease_estimate_occlusion(crease_estimate estimate) { return estimate.occlusion / max(estimate.taps, 1.0); }
@@ -355,8 +357,7 @@ void crease_gather_batch(inout crease_estimate estimate, inout crease_gathered g
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count) {
             crease_contribution contribution = crease_fold(estimate, receiver, batch.taps[i], batch.layers[i]);
-            if (batch.taps[i].inside)
-                crease_estimate_add(estimate, contribution);
+            crease_estimate_add(estimate, contribution);
             crease_gathered_tap(gathered, receiver, batch.taps[i], contribution);
         }
 }

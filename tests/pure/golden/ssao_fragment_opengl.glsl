@@ -203,7 +203,7 @@ vec2 crease_noise(ivec2 pixel) {
 // A tap at a point of view space, moved onto the ray through the centre of the texel that it falls into.
 struct crease_tap {
     vec2 texel;
-    bool inside; // whether the texel is in the depth image
+    bool inside; // whether the texel is in the depth image; else it has no weight
     vec3 point;
 };
 // SPDX-License-Identifier: MIT
@@ -270,10 +270,13 @@ crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_
 
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 
+// A point close to the tangent plane says nothing, as rounding may put it behind the surface.
+bool crease_ssao_over(crease_receiver receiver, crease_tap tap) {
+    return dot(tap.point - receiver.position, receiver.normal) > crease_bias * crease_radius;
+}
+
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
-    // A point close to the tangent plane says nothing, as rounding may put it behind the surface.
-    float height = dot(tap.point - receiver.position, receiver.normal);
-    if (!(height > crease_bias * crease_radius))
+    if (!tap.inside || !crease_ssao_over(receiver, tap))
         return crease_contribution(0.0, 0.0);
     float apart = abs(receiver.position.z - position.z);
     float in_range = smoothstep(0.0, 1.0, crease_radius / max(apart, 1e-20));
@@ -389,8 +392,7 @@ void crease_gather_batch(inout crease_estimate estimate, inout crease_gathered g
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count) {
             crease_contribution contribution = crease_fold(estimate, receiver, batch.taps[i], batch.layers[i]);
-            if (batch.taps[i].inside)
-                crease_estimate_add(estimate, contribution);
+            crease_estimate_add(estimate, contribution);
             crease_gathered_tap(gathered, receiver, batch.taps[i], contribution);
         }
 }
