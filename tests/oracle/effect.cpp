@@ -84,7 +84,9 @@ std::vector<std::vector<tap>> directions(const picture& p, const receiver& r, co
     std::vector<std::vector<tap>> all;
     double offset = random.y;
     for (int i = 0; i < count; ++i) {
-        const double angle = two_pi / count * (random.x + i + 1);
+        // Of an even count each other one turns back: i / 2 steps, and (i + 1) / 2 halves of the circle.
+        const double turns = count % 2 == 1 ? i : (i / 2) + ((i + 1) / 2) * (count / 2.0);
+        const double angle = two_pi / count * (random.x + turns + 1);
         offset = std::fmod(offset + 0.61803399, 1.0);
         const glm::dvec3 azimuth = std::cos(angle) * across + std::sin(angle) * up;
         const glm::dvec2 whole = texel_offset(p, r, s.radius * azimuth);

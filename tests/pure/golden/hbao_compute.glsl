@@ -225,8 +225,11 @@ int crease_step_count() { return crease_directions_steps; }
 
 vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) {
     vec2 turn = vec2(cos(crease_directions_angle()), sin(crease_directions_angle()));
-    pattern.direction = vec2(turn.x * pattern.direction.x - turn.y * pattern.direction.y,
-                             turn.y * pattern.direction.x + turn.x * pattern.direction.y);
+    // Of an even count each other one is the opposite of that before it, with which it shares much of its weighing.
+    bool opposite = crease_directions_count % 2 == 0 && direction % 2 == 1;
+    pattern.direction = opposite ? -pattern.direction
+                                 : vec2(turn.x * pattern.direction.x - turn.y * pattern.direction.y,
+                                        turn.y * pattern.direction.x + turn.x * pattern.direction.y);
     pattern.offset = fract(pattern.offset + 0.61803399); // another first step in each direction
     pattern.stride = receiver.disk * (pattern.direction * (1.0 / float(crease_directions_steps + 1)));
     pattern.first = receiver.texel + 0.5 + pattern.stride * (pattern.offset + pattern.nearest);
