@@ -95,12 +95,12 @@ TEST_CASE("the window stays in the picture: a facing plane has no shade, to the 
         CHECK(std::abs(shade) < 1e-5f);
 }
 
-TEST_CASE("reversed and linear depth give the same shade, and without a far plane there is none") {
+TEST_CASE("every encoding of depth gives the same shade, and without a far plane there is none") {
     const std::string text = "box_window:15/single_layer/unsharp_mask/shade";
     const auto scene = [](lens seen_by) { return oracle::draw(oracle::still_life(), seen_by, 97, 61); };
     check_listing(scene(lens::standard), shades(scene(lens::reversed), text, 0.02f), 15, 0.02);
-    check_listing(scene(lens::standard), shades(scene(lens::standard), text + "/linear_depth", 0.02f), 15,
-                  0.02);
+    for (const char* encoding : {"/linear_depth", "/linearised_depth"})
+        check_listing(scene(lens::standard), shades(scene(lens::standard), text + encoding, 0.02f), 15, 0.02);
     for (const char* parts :
          {"box_window:15/single_layer", "box_area:15/summed_area", "box_area:15/summed_area:2",
           "box_area:15/summed_area_uniform:8", "box_area:15/summed_area_adaptive:4", "box_area:15/n_buffer:4",

@@ -26,7 +26,7 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     // The listing counts both edges in: a texel just past the far one reads the last.
     vec2 middle = 0.5 * crease_view.resolution + crease_view.guard;
     bool inside = all(lessThanEqual(abs(texel - middle), middle));
-    return crease_tap(texel, inside);
+    return crease_tap(min(texel, 2.0 * middle - 1.0), inside);
 }
 #ifdef __cplusplus
 ")glsl"
