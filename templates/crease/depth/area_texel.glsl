@@ -11,9 +11,14 @@ float crease_range_mean();
 float crease_area_depth(float depth);
 vec3 crease_area_value(vec3 position, float centre);
 
+// The first texel of the depth image that a texel of a table stands for.
+vec2 crease_area_corner(ivec2 at) {
+    return (vec2(at) - crease_view.guard) * float(crease_divisor) + crease_view.guard;
+}
+
 // Of a texel of the picture alone, which is (i, j) of those that the table's texel stands for.
 vec4 crease_area_part(ivec2 at, int i, int j) {
-    vec2 texel = (vec2(at) - crease_view.guard) * float(crease_divisor) + crease_view.guard + vec2(i, j);
+    vec2 texel = crease_area_corner(at) + vec2(i, j);
     float depth = crease_area_depth(crease_depth_at(texel));
     vec3 value = crease_area_value(crease_view_position(texel, depth), crease_range_mean());
     return crease_inside(texel) && depth > 0.0 ? vec4(value.x, 1.0, value.yz) : vec4(0.0);

@@ -14,6 +14,7 @@ vec3 crease_area_mean(vec4 sum);
 vec4 crease_sample_area(vec2 texel, mat2 disk);
 ivec4 crease_areas_box(vec4 area);
 vec4 crease_areas_over(ivec4 box, int table);
+vec2 crease_area_corner(ivec2 at);
 vec4 crease_area_part(ivec2 at, int i, int j);
 vec4 crease_area_texel(ivec2 at);
 
@@ -52,7 +53,7 @@ void crease_build(ivec2 texel) {
         vec3 position = crease_area_mean(own);
         vec3 across, up;
         crease_axes(crease_to_eye(position), across, up);
-        vec2 middle = (vec2(texel) + 0.5 - crease_view.guard) * float(crease_divisor) + crease_view.guard - 0.5;
+        vec2 middle = crease_area_corner(texel) + 0.5 * float(crease_divisor - 1);
         ivec4 box = crease_areas_box(crease_sample_area(middle, crease_disk(position, across, up)));
         crease_summed_area_adaptive_means means = crease_summed_area_adaptive_around(box);
         // By a margin, so that rounding does not scatter a surface that faces the eye over both; z points to the eye.

@@ -13,10 +13,9 @@ struct crease_pattern {
 vec2 crease_box_area_edges(float texel, float size, bool past) {
     float before = texel - float(crease_box_area_size / 2);
     float after = before + float(crease_box_area_size / 2 * 2);
-    float last = size + 2.0 * crease_view.guard;
     if (past)
-        return vec2(after > last ? last - 1.0 : last, last);
-    return clamp(vec2(before, after), 0.0, last);
+        return vec2(after > size ? size - 1.0 : size, size);
+    return clamp(vec2(before, after), 0.0, size);
 }
 
 crease_pattern crease_pattern_begin(crease_receiver receiver) { return crease_pattern(vec2(0.0)); }
@@ -26,12 +25,12 @@ int crease_direction_count() { return 1 + crease_box_area_past; }
 int crease_step_count() { return 1 + crease_box_area_past; }
 
 vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) {
-    pattern.rows = crease_box_area_edges(receiver.texel.y, crease_view.resolution.y, direction == 1);
+    pattern.rows = crease_box_area_edges(receiver.texel.y, crease_depth_size().y, direction == 1);
     return vec2(0.0);
 }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
-    vec2 columns = crease_box_area_edges(receiver.texel.x, crease_view.resolution.x, step == 1);
+    vec2 columns = crease_box_area_edges(receiver.texel.x, crease_depth_size().x, step == 1);
     vec4 area = vec4(columns.x, pattern.rows.x, columns.y, pattern.rows.y);
     return crease_tap(area, receiver.texel, all(lessThan(area.xy, area.zw)));
 }

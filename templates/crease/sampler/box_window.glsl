@@ -24,9 +24,9 @@ vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
     vec2 texel = receiver.texel + vec2(float(step - crease_box_window_half()), pattern.row);
     // The listing counts both edges in: a texel just past the far one reads the last.
-    vec2 middle = 0.5 * crease_view.resolution + crease_view.guard;
-    bool inside = all(lessThanEqual(abs(texel - middle), middle));
-    return crease_tap(min(texel, 2.0 * middle - 1.0), inside);
+    vec2 size = crease_depth_size();
+    bool inside = all(greaterThanEqual(texel, vec2(0.0))) && all(lessThanEqual(texel, size));
+    return crease_tap(min(texel, size - 1.0), inside);
 }
 #ifdef __cplusplus
 ")glsl"

@@ -66,11 +66,13 @@ const float crease_far_share = 0.999;
 // Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
 ivec2 crease_size(int divisor) { return (ivec2(crease_view.resolution) + divisor - 1) / divisor; }
 
+// Of the depth image in texels, guard band included.
+vec2 crease_depth_size() { return crease_view.resolution + 2.0 * crease_view.guard; }
+
 // Whether texel coordinates lie in the depth image. As whole numbers the bits of what is negative or NaN are greater
 // than those of any size.
 bool crease_inside(vec2 texel) {
-    vec2 size = crease_view.resolution + 2.0 * crease_view.guard;
-    return all(lessThan(floatBitsToUint(texel), floatBitsToUint(size)));
+    return all(lessThan(floatBitsToUint(texel), floatBitsToUint(crease_depth_size())));
 }
 
 // What is loaded in place of a texel beside the depth image, where reading would find anything at all.
