@@ -4,7 +4,7 @@ R"glsl("
 // SPDX-License-Identifier: MIT
 // A tap that takes in an area of the depth image.
 struct crease_tap {
-    vec4 area;   // left, top, right and bottom edge, texels
+    vec4 area;   // left, top, right and bottom edge, texels: that in the corner reaches from 0 to 1
     vec2 texel;  // in the middle
     bool inside; // whether any of it may be in the depth image; else it has no weight
 };
