@@ -21,7 +21,7 @@ void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     vec3 to_tap = position - receiver.position;
     bool above = tap.inside && dot(to_tap, receiver.normal) > crease_bias * crease_radius;
-    return crease_contribution(above ? max(1.0 - length(to_tap) / crease_radius, 0.0) : 0.0, tap.inside ? 1.0 : 0.0);
+    return crease_contribution(above ? max(1.0 - length(to_tap) / crease_radius, 0.0) : 0.0, float(tap.inside));
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {

@@ -7,6 +7,7 @@ R"glsl("
 
 vec4 crease_areas_at(ivec3 texel);
 ivec2 crease_areas_size();
+vec4 crease_areas_edges(vec4 area);
 
 int crease_areas_divisor() { return crease_mip_chain_divisor; }
 
@@ -32,8 +33,7 @@ vec4 crease_mip_chain_between(vec2 texel, int level) {
 }
 
 crease_areas crease_fetch_areas(vec4 area) {
-    vec4 box = (area - crease_view.guard) / float(crease_areas_divisor()) + crease_view.guard;
-    box = clamp(box, vec4(0.0), vec4(crease_areas_size().xyxy));
+    vec4 box = crease_areas_edges(area);
     vec2 size = box.zw - box.xy, middle = 0.5 * (box.xy + box.zw);
     float level = clamp(log2(max(max(size.x, size.y), 1.0)) - 1.0, 0.0, float(crease_mip_chain_levels - 1));
     int lower = int(level), upper = min(lower + 1, crease_mip_chain_levels - 1);

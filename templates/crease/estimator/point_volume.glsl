@@ -24,7 +24,7 @@ void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     bool filled = tap.inside && position.z > tap.point.z + crease_bias * crease_radius;
-    return crease_contribution(filled ? crease_volume_reach(receiver, -position.z) : 0.0, tap.inside ? 1.0 : 0.0);
+    return crease_contribution(filled ? crease_volume_reach(receiver, -position.z) : 0.0, float(tap.inside));
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {

@@ -245,9 +245,9 @@ crease_contribution crease_weigh(crease_estimate estimate, crease_receiver recei
     float squared = dot(to_tap, to_tap);
     float rise = dot(to_tap, receiver.normal) * inversesqrt(squared) - crease_bias;
     float falloff = 1.0 - squared * estimate.reach;
-    bool counts = tap.inside && falloff > 0.0;
-    rise = counts ? max(rise, 0.0) : 0.0;
-    return crease_contribution(counts ? falloff * rise : 0.0, rise, tap.inside ? 1.0 : 0.0);
+    bool counts = tap.inside && falloff > 0.0 && rise > 0.0;
+    return counts ? crease_contribution(falloff * rise, rise, 1.0)
+                  : crease_contribution(0.0, 0.0, float(tap.inside));
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {
