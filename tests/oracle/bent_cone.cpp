@@ -114,20 +114,16 @@ glm::dvec4 hbao_cone(const oracle::picture& p, const oracle::receiver& r, const 
             continue;
         }
         const glm::dvec3 azimuth = direction[0].azimuth;
-        const double facing = std::max(glm::dot(r.normal, r.to_eye), 1e-3);
-        const double slope = -glm::dot(r.normal, azimuth) / facing;
-        const double tangent = std::atan(slope), start = std::min(tangent + s.bias, glm::half_pi<double>());
-        double horizon = start;
+        const double tangent = oracle::tangent_angle(r, azimuth),
+                     start = std::min(tangent + s.bias, glm::half_pi<double>());
+        double highest = std::sin(start) - std::sin(tangent);
         for (const oracle::tap& t : direction) {
             const glm::dvec3 v = p.position(t.x, t.y) - r.position;
-            const double length = glm::length(v), part = std::hypot(glm::dot(r.normal, azimuth), facing);
-            const double phi =
-                tangent + std::asin(glm::clamp(glm::dot(v, r.normal) / (length * part), -1.0, 1.0));
-            if (std::sin(phi) > std::sin(horizon) && length < s.radius &&
-                glm::dot(v, r.normal) / length > s.threshold)
-                horizon = phi;
+            const double length = glm::length(v), above = oracle::rise_over_tangent(r, v);
+            if (above > highest && length < s.radius && glm::dot(v, r.normal) / length > s.threshold)
+                highest = above;
         }
-        const double turn = std::max(std::asin(std::sin(horizon)) - start, 0.0);
+        const double turn = std::asin(std::min(std::sin(tangent) + highest, 1.0)) - start;
         sum += turned(r, azimuth, turn);
         cone += glm::half_pi<double>() - turn;
     }

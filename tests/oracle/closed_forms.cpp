@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <limits>
-#include <memory>
 
 namespace {
 
@@ -87,53 +86,4 @@ TEST_CASE("NaN, infinite and zero depth darken nothing around them") {
             for (float v : oracle::run(p, std::string(recipe) + parts, 0.5))
                 CHECK(v >= 0.99f);
         }
-}
-
-TEST_CASE("the inside of a sphere, by HBAO's integral") {
-    // A chord of length r from a point of a sphere of radius s rises by asin(r / 2 s) over the tangent plane,
-    // so along each direction the occlusion is the integral of W(r) = 1 - (r / R)^2 over d sin = dr / 2 s,
-    // from the bias to R.
-    const double s = 2, radius = 1.2, bias = 0.15;
-    const oracle::picture p =
-        oracle::draw({{kind::inside_of_sphere, {0, 0, -3}, {}, s}}, lens::standard, 257, 181);
-    const crease::recipe chosen("directions:32x64/single_layer/hbao");
-    const auto composed = std::make_unique<crease::composition>(chosen);
-    crease::parameters how = oracle::view_parameters(p, composed->view(), radius);
-    how.strength = 1;
-    how.bias = static_cast<float>(bias);
-    const double first = 2 * s * std::sin(bias);
-    const auto integral = [&](double r) { return (r - r * r * r / (3 * radius * radius)) / (2 * s); };
-    const double expected = 1 - (integral(radius) - integral(first));
-    CHECK(oracle::run(p, composed->view(), how)[p.index(128, 90)] ==
-          doctest::Approx(expected).epsilon(0.015));
-}
-
-TEST_CASE("beside a step, by HBAO's integral") {
-    // Orthographic, floor and step face the eye: in each direction that meets the step of height h at
-    // distance d, the horizon jumps to its edge, at r = sqrt(d^2 + h^2), and falls behind it.
-    const double height = 0.4, radius = 0.9, bias = 0.15;
-    const oracle::picture p = oracle::draw(
-        {{kind::plane, {0, 0, -4}, {0, 0, 1}}, {kind::half_plane, {0, 0, -4 + height}, {0, 0, 1}}},
-        lens::orthographic, 400, 267);
-    const crease::recipe chosen("directions:64x64/single_layer/hbao/orthographic");
-    const auto composed = std::make_unique<crease::composition>(chosen);
-    crease::parameters how = oracle::view_parameters(p, composed->view(), radius);
-    how.strength = 1;
-    how.bias = static_cast<float>(bias);
-    const std::vector<float> image = oracle::run(p, composed->view(), how);
-    for (int x : {120, 150, 170, 190}) {
-        const double distance = -p.position(x, 133).x;
-        double occlusion = 0;
-        const int slices = 4000;
-        for (int i = 0; i < slices; ++i) {
-            const double angle = 2 * 3.14159265358979 * (i + 0.5) / slices;
-            const double along = distance / std::cos(angle);
-            const double r = std::sqrt(along * along + height * height);
-            if (std::cos(angle) > 0 && r < radius)
-                occlusion +=
-                    (1 - r * r / (radius * radius)) * std::max(height / r - std::sin(bias), 0.0) / slices;
-        }
-        CAPTURE(distance);
-        CHECK(image[p.index(x, 133)] == doctest::Approx(1 - occlusion).epsilon(0.02));
-    }
 }

@@ -18,6 +18,16 @@ tap texel_of(glm::dvec2 coordinates) {
     return {static_cast<int>(std::floor(coordinates.x)), static_cast<int>(std::floor(coordinates.y)), {}, {}};
 }
 
+/// The share of a way across the picture, at most all of it, after which it leaves the picture.
+double share_inside(const picture& p, glm::dvec2 from, glm::dvec2 way) {
+    const glm::dvec2 edges(way.x > 0 ? p.width : 0, way.y > 0 ? p.height : 0);
+    double share = 1;
+    for (int axis = 0; axis < 2; ++axis)
+        if (way[axis] != 0)
+            share = std::min(share, std::max((edges[axis] - from[axis]) / way[axis], 0.0));
+    return share;
+}
+
 double falloff(double distance, double radius) {
     return 1 - (distance / radius) * (distance / radius);
 }
@@ -72,8 +82,19 @@ glm::dvec3 reconstruct_normal(const picture& p, int x, int y) {
     return glm::dot(normal, eye) < 0 ? -glm::normalize(normal) : glm::normalize(normal);
 }
 
+double tangent_angle(const receiver& r, glm::dvec3 azimuth) {
+    return std::atan2(-glm::dot(r.normal, azimuth), glm::dot(r.normal, r.to_eye));
+}
+
+double rise_over_tangent(const receiver& r, glm::dvec3 offset) {
+    const double towards = glm::dot(offset, r.to_eye);
+    const glm::dvec3 across = offset - towards * r.to_eye;
+    const double horizon = std::atan2(towards, glm::length(across));
+    return std::sin(horizon) - std::sin(tangent_angle(r, glm::normalize(across)));
+}
+
 std::vector<std::vector<tap>> directions(const picture& p, const receiver& r, const settings& s, int count,
-                                         int steps) {
+                                         int steps, int power) {
     const glm::dvec2 random = noise(r.pixel_x, r.pixel_y, s);
     glm::dvec3 across, up;
     axes(p, r, across, up);
@@ -90,12 +111,15 @@ std::vector<std::vector<tap>> directions(const picture& p, const receiver& r, co
         offset = std::fmod(offset + 0.61803399, 1.0);
         const glm::dvec3 azimuth = std::cos(angle) * across + std::sin(angle) * up;
         const glm::dvec2 whole = texel_offset(p, r, s.radius * azimuth);
+        const glm::dvec2 first = glm::dvec2(r.x + 0.5, r.y + 0.5) + whole * nearest;
+        const double share = share_inside(p, first, whole);
         std::vector<tap> along;
         for (int j = 0; j < steps; ++j) {
-            const glm::dvec2 shift = whole * ((j + offset) / (steps + 1) + nearest);
-            tap t = texel_of(glm::dvec2(r.x + 0.5, r.y + 0.5) + shift);
+            const double u = (j + offset) / steps;
+            tap t = texel_of(first + whole * share * std::pow(u, power));
             t.azimuth = azimuth;
             t.step = j;
+            t.weight = share * std::pow(u, power - 1); // how far apart the taps are there
             if (p.contains(t.x, t.y))
                 along.push_back(t);
         }
@@ -114,9 +138,12 @@ std::vector<std::vector<tap>> poisson_disk(const picture& p, const receiver& r, 
     for (int i = 0; i < count; ++i) {
         const double angle = two_pi * random.x + golden_angle * (i + 1),
                      distance = std::sqrt((i + random.y) / count);
-        const glm::dvec3 offset = s.radius * distance * (std::cos(angle) * across + std::sin(angle) * up);
-        tap t = texel_of(glm::dvec2(r.x + 0.5, r.y + 0.5) + texel_offset(p, r, offset));
+        const glm::dvec2 centre(r.x + 0.5, r.y + 0.5),
+            whole = texel_offset(p, r, s.radius * (std::cos(angle) * across + std::sin(angle) * up));
+        const double share = share_inside(p, centre, whole);
+        tap t = texel_of(centre + whole * share * distance);
         t.step = i;
+        t.weight = share * share; // of the area
         if (p.contains(t.x, t.y) && !(t.x == r.x && t.y == r.y))
             taps.push_back(t);
     }
@@ -173,34 +200,29 @@ double hbao(const picture& p, const receiver& r, const settings& s, const std::v
             deferral how) {
     double occlusion = 0;
     for (const std::vector<tap>& direction : taps) {
-        double horizon_rise = 0; // sin(h) - sin(t) of the highest so far
+        double highest = 0; // sin(h) - sin(t) of the highest so far
+        if (!direction.empty()) {
+            const double tangent = tangent_angle(r, direction[0].azimuth);
+            highest = std::sin(std::min(tangent + s.bias, glm::half_pi<double>())) - std::sin(tangent);
+        }
         // Looks at the first `count` layers of a tap; returns whether the front one is above the horizon.
         const auto look_at = [&](const tap& t, std::size_t count) {
-            // The slice of the marched direction and the eye: the tangent in it, and the normal's part in it.
-            const double facing = std::max(glm::dot(r.normal, r.to_eye), 1e-3);
-            const double tangent = std::atan2(-glm::dot(r.normal, t.azimuth), facing);
-            const double part = std::hypot(glm::dot(r.normal, t.azimuth), facing);
-            const double biased = std::min(tangent + s.bias, glm::half_pi<double>());
-            const double horizon = std::max(horizon_rise, std::sin(biased) - std::sin(tangent));
-            double most = 0, highest = horizon_rise; // of the layer that occludes the most
+            double most = 0, horizon = highest; // of the layer that occludes the most
             bool front_above = false;
             const std::vector<glm::dvec3> layers = p.positions(t.x, t.y);
             for (std::size_t i = 0; i < std::min(count, layers.size()); ++i) {
                 const glm::dvec3 v = layers[i] - r.position;
-                const double length = glm::length(v);
-                const double over_tangent =
-                    std::asin(std::clamp(glm::dot(v, r.normal) / (length * part), -1.0, 1.0));
-                const double above = std::sin(tangent + over_tangent) - std::sin(tangent);
-                const double occludes = falloff(length, s.radius) * (above - horizon);
-                front_above = front_above || (i == 0 && above > horizon);
-                if (above > horizon && length < s.radius && glm::dot(v, r.normal) / length > s.threshold &&
+                const double length = glm::length(v), above = rise_over_tangent(r, v);
+                const double occludes = falloff(length, s.radius) * (above - highest);
+                front_above = front_above || (i == 0 && above > highest);
+                if (above > highest && length < s.radius && glm::dot(v, r.normal) / length > s.threshold &&
                     occludes > most) {
                     most = occludes;
-                    highest = above;
+                    horizon = above;
                 }
             }
             occlusion += most;
-            horizon_rise = highest;
+            highest = horizon;
             return front_above;
         };
         std::map<int, std::vector<tap>> behind; // of each four steps
@@ -218,7 +240,7 @@ double hbao(const picture& p, const receiver& r, const settings& s, const std::v
 
 double hbao_plus(const picture& p, const receiver& r, const settings& s,
                  const std::vector<std::vector<tap>>& taps, deferral how) {
-    double occlusion = 0, count = 0;
+    double occlusion = 0, weights = 0;
     for (const std::vector<tap>& direction : taps) {
         std::map<int, unsigned> looks; // of each four steps
         for (const tap& t : direction) {
@@ -235,11 +257,11 @@ double hbao_plus(const picture& p, const receiver& r, const settings& s,
                     most = std::max(most, falloff(length, s.radius) *
                                               std::max(glm::dot(v, r.normal) / length - s.bias, 0.0));
             }
-            occlusion += most;
-            count += 1;
+            occlusion += t.weight * most;
+            weights += t.weight;
         }
     }
-    return count > 0 ? occlusion / count : 0;
+    return weights > 0 ? occlusion / weights : 0;
 }
 
 }

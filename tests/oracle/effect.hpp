@@ -25,6 +25,7 @@ struct tap {
     glm::dvec3 point;
     glm::dvec3 azimuth{0}; ///< of ordered taps: the marched direction, unit, across the direction to the eye
     int step = 0;          ///< of its direction, from 0, those off the picture counted
+    double weight = 1;     ///< in a mean over the taps
 };
 
 /// How a fold comes to the layers behind the front ones: after all fronts of their direction, or where
@@ -50,9 +51,17 @@ void axes(const picture& p, const receiver& r, glm::dvec3& across, glm::dvec3& u
 /// Normal from the depth of the neighbours: of left and right, and of up and down, the nearer in depth.
 glm::dvec3 reconstruct_normal(const picture& p, int x, int y);
 
+/// sin(h) - sin(t) of what stands at an offset from a receiver: h is its angle over the plane that faces the
+/// eye, t that of the tangent plane, in the slice that holds the offset and the eye: stochastic-depth-ao,
+/// figure 4.5.
+double rise_over_tangent(const receiver& r, glm::dvec3 offset);
+
+/// The angle of the tangent plane in the slice of an azimuth and the eye, radians.
+double tangent_angle(const receiver& r, glm::dvec3 azimuth);
+
 /// The taps of a receiver, direction by direction; those off the picture are left out.
 std::vector<std::vector<tap>> directions(const picture& p, const receiver& r, const settings& s, int count,
-                                         int steps);
+                                         int steps, int power = 2);
 std::vector<std::vector<tap>> poisson_disk(const picture& p, const receiver& r, const settings& s, int count);
 std::vector<std::vector<tap>> hemisphere_points(const picture& p, const receiver& r, const settings& s,
                                                 int count);

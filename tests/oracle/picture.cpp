@@ -89,6 +89,19 @@ double meet(const surface& s, glm::dvec3 origin, glm::dvec3 direction, glm::dvec
 
 }
 
+bool first_hit(const std::vector<surface>& surfaces, glm::dvec3 origin, glm::dvec3 direction,
+               glm::dvec3& position, glm::dvec3& normal) {
+    double nearest = 200;
+    glm::dvec3 candidate;
+    for (const surface& s : surfaces)
+        if (const double t = meet(s, origin, direction, candidate); t < nearest) {
+            nearest = t;
+            normal = candidate;
+        }
+    position = origin + nearest * direction;
+    return nearest < 200;
+}
+
 picture draw(const std::vector<surface>& surfaces, lens kind, int width, int height) {
     picture p;
     p.width = width;
@@ -97,18 +110,12 @@ picture draw(const std::vector<surface>& surfaces, lens kind, int width, int hei
     p.reversed = kind == lens::reversed || kind == lens::infinite;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            glm::dvec3 origin, direction, normal(0, 0, 1), candidate;
+            glm::dvec3 origin, direction, position, normal(0, 0, 1);
             p.ray({x + 0.5, y + 0.5}, origin, direction);
-            double nearest = 200;
-            for (const surface& s : surfaces)
-                if (const double t = meet(s, origin, direction, candidate); t < nearest) {
-                    nearest = t;
-                    normal = candidate;
-                }
-            const glm::dvec3 position = origin + nearest * direction;
+            const bool met = first_hit(surfaces, origin, direction, position, normal);
             const glm::dvec4 clip = p.projection * glm::dvec4(position, 1);
             const double z = clip.z / clip.w;
-            const bool seen = nearest < 200 && -position.z < 49.5;
+            const bool seen = met && -position.z < 49.5;
             p.device.push_back(static_cast<float>(seen ? z : p.clear_value()));
             p.normals.push_back(glm::vec3(glm::dot(normal, p.to_eye(position)) < 0 ? -normal : normal));
         }

@@ -57,6 +57,11 @@ struct surface {
     double radius = 0;
 };
 
+/// The nearest point that a ray meets, and the surface's normal there; false where it
+/// meets nothing within 200. `direction` is unit.
+bool first_hit(const std::vector<surface>& surfaces, glm::dvec3 origin, glm::dvec3 direction,
+               glm::dvec3& position, glm::dvec3& normal);
+
 /// Draws surfaces: the nearest that a texel's ray meets beyond the near plane.
 picture draw(const std::vector<surface>& surfaces, lens kind, int width, int height);
 

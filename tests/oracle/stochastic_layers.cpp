@@ -217,7 +217,8 @@ TEST_CASE("layers behind come after all fronts of their direction, of the first 
                     "/deferred_layers:" + std::to_string(skip) + "x" + std::to_string(looks);
                 const oracle::difference d = differ(t, fold, lens::standard, 0.0f);
                 CHECK(d.typical < 0.02);
-                CHECK(d.mean < 0.13 / 255); // forgetting how high a tap behind raised its direction is 0.14
+                // Of horizons: forgetting how high a tap behind raised its direction is 0.14.
+                CHECK(d.mean < (of.horizons ? 0.13 : 0.2) / 255);
             }
 }
 

@@ -12,11 +12,11 @@ namespace {
 using namespace crease;
 
 static_assert(recipe("directions:8x4/single_layer/hbao"));
-static_assert(recipe("directions/single_layer/hbao").text().view() == "directions:8x4/single_layer/hbao");
-static_assert(recipe("directions:5/single_layer/hbao").text().view() == "directions:5x4/single_layer/hbao");
+static_assert(recipe("directions/single_layer/hbao").text().view() == "directions:8x4x2/single_layer/hbao");
+static_assert(recipe("directions:5/single_layer/hbao").text().view() == "directions:5x4x2/single_layer/hbao");
 
 constexpr choice same[] = {choice_of<directions<8, 4>>(), choice_of<single_layer>(), choice_of<hbao>()};
-static_assert(recipe(same).text().view() == "directions:8x4/single_layer/hbao");
+static_assert(recipe(same).text().view() == "directions:8x4x2/single_layer/hbao");
 
 std::string error_of(std::string_view text) {
     return std::string(recipe(text).error());
@@ -44,7 +44,7 @@ TEST_CASE("a missing word is said to be missing") {
 
 TEST_CASE("numbers that cannot be read are quoted") {
     for (const char* word :
-         {"directions:", "directions:8x", "directions:x4", "directions:8x4x2", "directions:-8",
+         {"directions:", "directions:8x", "directions:x4", "directions:8x4x2x1", "directions:-8",
           "directions:8.0", "directions: 8", "directions:8X4", "directions:9999999999"}) {
         CAPTURE(word);
         CHECK(

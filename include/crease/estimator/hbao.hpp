@@ -37,10 +37,10 @@ struct hbao {
                                      {&open_directions::value, &bent_turn_glsl},
                                      {&open_directions::value, &hbao_bent_glsl}};
     static constexpr setting reads[] = {
-        {"bias", &parameters::bias, 0.15f, 0, 1.5f, "angle added to the tangent's, radians"},
+        {"bias", &parameters::bias, 0.2f, 0, 1.5f, "angle added to the tangent's, radians"},
         {"threshold", &parameters::threshold, 0, -1, 1,
          "least cosine between the normal and a tap that counts"},
-        {"strength", &parameters::strength, 1.1f, 0, 16, "factor of the occlusion"},
+        {"strength", &parameters::strength, 1.15f, 0, 16, "factor of the occlusion"},
         {"exponent", &parameters::exponent, 1, 0.01f, 16, "power of the visibility"},
     };
     static constexpr part description{

@@ -38,8 +38,8 @@ struct hbao_plus {
                                      {&open_directions::value, &bent_turn_glsl},
                                      {&open_directions::value, &hbao_plus_bent_glsl}};
     static constexpr setting reads[] = {
-        {"bias", &parameters::bias, 0.2f, 0, 1, "cosine between the normal and a tap that is taken off"},
-        {"strength", &parameters::strength, 2.2f, 0, 16, "factor of the occlusion"},
+        {"bias", &parameters::bias, 0.15f, 0, 1, "cosine between the normal and a tap that is taken off"},
+        {"strength", &parameters::strength, 2.4f, 0, 16, "factor of the occlusion"},
         {"exponent", &parameters::exponent, 2, 0.01f, 16, "power of the visibility"},
     };
     static constexpr part description{

@@ -12,10 +12,11 @@ inline constexpr glsl_file directions_glsl{
 };
 
 struct directions_part {
-    static constexpr const glsl_file* helpers[] = {&screen_tap_glsl};
+    static constexpr const glsl_file* helpers[] = {&screen_tap_glsl, &share_inside_glsl};
     static constexpr number takes[] = {
         {"count", 1, 64, 8, "directions, dividing the circle evenly"},
-        {"steps", 1, 64, 4, "taps along each direction, evenly over the radius"},
+        {"steps", 1, 64, 4, "taps along each direction"},
+        {"power", 1, 4, 2, "of a step's index by which its distance grows; 1: even steps"},
     };
     static constexpr part description{
         .kind = role::sampler,
@@ -29,10 +30,10 @@ struct directions_part {
     };
 };
 
-/// Sampler: `Count` directions of `Steps` taps each.
-template <int Count = 8, int Steps = 4>
+/// Sampler: `Count` directions of `Steps` taps each, at distances that grow by the `Power` of their index.
+template <int Count = 8, int Steps = 4, int Power = 2>
 struct directions : directions_part {
-    static constexpr int numbers[] = {Count, Steps};
+    static constexpr int numbers[] = {Count, Steps, Power};
 };
 
 }

@@ -11,7 +11,7 @@ inline constexpr glsl_file poisson_disk_glsl{
 };
 
 struct poisson_disk_part {
-    static constexpr const glsl_file* helpers[] = {&screen_tap_glsl};
+    static constexpr const glsl_file* helpers[] = {&screen_tap_glsl, &share_inside_glsl};
     static constexpr number takes[] = {{"count", 1, 256, 16, "taps in the disk of the radius"}};
     static constexpr part description{
         .kind = role::sampler,

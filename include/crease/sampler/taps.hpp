@@ -45,6 +45,11 @@ inline constexpr glsl_file screen_tap_glsl{
 #include <crease/sampler/screen_tap.glsl>
 };
 
+inline constexpr glsl_file share_inside_glsl{
+    "sampler/share_inside.glsl",
+#include <crease/sampler/share_inside.glsl>
+};
+
 inline constexpr glsl_file point_tap_glsl{
     "sampler/point_tap.glsl",
 #include <crease/sampler/point_tap.glsl>

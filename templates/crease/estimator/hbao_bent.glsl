@@ -14,7 +14,7 @@ void crease_bend_tap(inout crease_bend bend, crease_receiver receiver, crease_ta
 void crease_bend_turn(inout crease_bend bend, crease_receiver receiver, crease_estimate estimate, vec2 direction) {
     vec2 start = vec2(estimate.cos_tangent * estimate.bias.x - estimate.sin_tangent * estimate.bias.y,
                       estimate.sin_tangent * estimate.bias.x + estimate.cos_tangent * estimate.bias.y);
-    float sin_horizon = min(estimate.horizon, 1.0);
+    float sin_horizon = min(estimate.sin_tangent + estimate.rise, 1.0);
     float cos_horizon = sqrt(1.0 - sin_horizon * sin_horizon);
     // The horizon's angle less that at which the direction began.
     float cosine = cos_horizon * start.x + sin_horizon * start.y;

@@ -7,15 +7,12 @@ R"glsl("
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
 
 void crease_estimate_resume(inout crease_estimate estimate, crease_estimate there) {
-    estimate.horizon = there.horizon;
-    estimate.sin_tangent = there.sin_tangent;
-    estimate.cos_tangent = there.cos_tangent;
-    estimate.steepness = there.steepness;
+    estimate.rise = there.rise;
 }
 
 // What layers behind a front surface have to exceed: the horizon is as high as that surface.
 crease_contribution crease_estimate_least(crease_estimate estimate, crease_contribution front) {
-    return crease_contribution(0.0, estimate.horizon);
+    return crease_contribution(0.0, estimate.rise);
 }
 
 void crease_estimate_raise(inout crease_estimate estimate, crease_contribution front, crease_contribution most) {

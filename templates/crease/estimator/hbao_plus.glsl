@@ -6,14 +6,14 @@ R"glsl("
 
 struct crease_estimate {
     float occlusion; // summed over the taps
-    float taps;
+    float weights;
     float reach;     // 1 / square of the radius
 };
 
 struct crease_contribution {
     float occlusion;
     float rise; // cosine between the normal and the way to the tap less the bias, where that occludes
-    float taps;
+    float weight;
 };
 
 crease_estimate crease_estimate_begin(crease_receiver receiver) {
@@ -28,16 +28,16 @@ crease_contribution crease_weigh(crease_estimate estimate, crease_receiver recei
     float rise = dot(to_tap, receiver.normal) * inversesqrt(squared) - crease_bias;
     float falloff = 1.0 - squared * estimate.reach;
     bool counts = tap.inside && falloff > 0.0 && rise > 0.0;
-    return counts ? crease_contribution(falloff * rise, rise, 1.0)
-                  : crease_contribution(0.0, 0.0, float(tap.inside));
+    float weight = tap.inside ? tap.weight : 0.0;
+    return counts ? crease_contribution(weight * falloff * rise, rise, weight) : crease_contribution(0.0, 0.0, weight);
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {
     estimate.occlusion += contribution.occlusion;
-    estimate.taps += contribution.taps;
+    estimate.weights += contribution.weight;
 }
 
-float crease_estimate_occlusion(crease_estimate estimate) { return estimate.occlusion / max(estimate.taps, 1.0); }
+float crease_estimate_occlusion(crease_estimate estimate) { return estimate.occlusion / max(estimate.weights, 1e-20); }
 #ifdef __cplusplus
 ")glsl"
 #endif

@@ -26,7 +26,7 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     // The listing counts both edges in: a texel just past the far one reads the last.
     vec2 size = crease_depth_size();
     bool inside = all(greaterThanEqual(texel, vec2(0.0))) && all(lessThanEqual(texel, size));
-    return crease_tap(min(texel, size - 1.0), inside);
+    return crease_tap(min(texel, size - 1.0), inside, 1.0);
 }
 #ifdef __cplusplus
 ")glsl"

@@ -2,17 +2,19 @@
 R"glsl("
 #endif
 // SPDX-License-Identifier: MIT
-// Directions that divide the circle evenly, marched in even steps; both start at a random offset per pixel:
-// stochastic-depth-ao, Algorithms 2 and 3.
+// Directions that divide the circle evenly, and steps that grow by a power of their index; both start at a random offset
+// per pixel: stochastic-depth-ao, Algorithms 2 and 3.
 
 vec2 crease_noise(ivec2 pixel);
+float crease_share_inside(vec2 from, vec2 way);
 
 struct crease_pattern {
     vec2 direction; // unit, on the disk that faces the eye
-    vec2 stride;    // texels
-    vec2 first;     // texels, of step 0; rounded down it is the texel
-    float offset;   // of step 0, in strides
-    float nearest;  // strides that make a texel, in the root mean square over the directions on the screen
+    vec2 first;     // texels: where the march begins; rounded down it is the texel
+    vec2 march;     // texels: from there to where it ends, at the radius or the picture's edge
+    float share;    // of the radius, that the march covers
+    float offset;   // of step 0, in steps
+    float nearest;  // radii that make a texel, in the root mean square over the directions on the screen
 };
 
 float crease_directions_angle() { return 6.28318531 / float(crease_directions_count); }
@@ -23,8 +25,7 @@ crease_pattern crease_pattern_begin(crease_receiver receiver) {
     // In each direction more than 1 / sqrt(2) of the texels that it says, so no tap falls on the receiver itself.
     float texels = abs(determinant(receiver.disk)) *
         inversesqrt(0.5 * (dot(receiver.disk[0], receiver.disk[0]) + dot(receiver.disk[1], receiver.disk[1])));
-    return crease_pattern(vec2(cos(angle), sin(angle)), vec2(0.0), vec2(0.0), noise.y,
-                          float(crease_directions_steps + 1) / texels);
+    return crease_pattern(vec2(cos(angle), sin(angle)), vec2(0.0), vec2(0.0), 1.0, noise.y, 1.0 / texels);
 }
 
 int crease_direction_count() { return crease_directions_count; }
@@ -39,14 +40,20 @@ vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
                                  : vec2(turn.x * pattern.direction.x - turn.y * pattern.direction.y,
                                         turn.y * pattern.direction.x + turn.x * pattern.direction.y);
     pattern.offset = fract(pattern.offset + 0.61803399); // another first step in each direction
-    pattern.stride = receiver.disk * (pattern.direction * (1.0 / float(crease_directions_steps + 1)));
-    pattern.first = receiver.texel + 0.5 + pattern.stride * (pattern.offset + pattern.nearest);
+    vec2 radius = receiver.disk * pattern.direction;
+    pattern.first = receiver.texel + 0.5 + radius * pattern.nearest;
+    pattern.share = crease_share_inside(pattern.first, radius);
+    pattern.march = radius * pattern.share;
     return pattern.direction;
 }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
-    vec2 texel = floor(pattern.first + pattern.stride * float(step));
-    return crease_tap(texel, crease_inside(texel));
+    float along = (float(step) + pattern.offset) * (1.0 / float(crease_directions_steps));
+    float density = 1.0; // by how much the steps grow there
+    for (int i = 1; i < crease_directions_power; ++i)
+        density *= along;
+    vec2 texel = floor(pattern.first + pattern.march * (along * density));
+    return crease_tap(texel, crease_inside(texel), pattern.share * density);
 }
 #ifdef __cplusplus
 ")glsl"

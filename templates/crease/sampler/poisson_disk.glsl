@@ -6,6 +6,7 @@ R"glsl("
 // than 1 / sqrt(N) of the radius, for every N. It is turned, and its radii are shifted, at random per pixel.
 
 vec2 crease_noise(ivec2 pixel);
+float crease_share_inside(vec2 from, vec2 way);
 
 struct crease_pattern {
     vec2 direction; // unit, on the disk that faces the eye
@@ -29,8 +30,10 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     pattern.direction = vec2(golden_angle.x * pattern.direction.x - golden_angle.y * pattern.direction.y,
                              golden_angle.y * pattern.direction.x + golden_angle.x * pattern.direction.y);
     float distance = sqrt((float(step) + pattern.offset) / float(crease_poisson_disk_count));
-    vec2 texel = floor(receiver.texel + 0.5 + receiver.disk * (pattern.direction * distance));
-    return crease_tap(texel, texel != receiver.texel && crease_inside(texel));
+    vec2 radius = receiver.disk * pattern.direction;
+    float share = crease_share_inside(receiver.texel + 0.5, radius);
+    vec2 texel = floor(receiver.texel + 0.5 + radius * (share * distance));
+    return crease_tap(texel, texel != receiver.texel && crease_inside(texel), share * share);
 }
 #ifdef __cplusplus
 ")glsl"

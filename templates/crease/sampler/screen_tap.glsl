@@ -5,7 +5,8 @@ R"glsl("
 // A tap on the screen, at the centre of a texel.
 struct crease_tap {
     vec2 texel;
-    bool inside; // whether the texel is in the depth image; else it has no weight
+    bool inside;  // whether the texel is in the depth image; else it has no weight
+    float weight; // of the tap among those of the receiver, in a mean over the distances or the area around it
 };
 #ifdef __cplusplus
 ")glsl"

@@ -4,6 +4,7 @@
 layout(local_size_x = 16, local_size_y = 16, local_size_x_id = 0, local_size_y_id = 1) in;
 layout(constant_id = 2) const int crease_directions_count = 8;
 layout(constant_id = 3) const int crease_directions_steps = 4;
+layout(constant_id = 4) const int crease_directions_power = 2;
 const int crease_divisor = 1;
 const int crease_view_index = 0;
 #define crease_write(pixel, result) imageStore(crease_output, pixel, crease_encode_visibility(result));
@@ -193,20 +194,32 @@ vec2 crease_noise(ivec2 pixel) {
 // A tap on the screen, at the centre of a texel.
 struct crease_tap {
     vec2 texel;
-    bool inside; // whether the texel is in the depth image; else it has no weight
+    bool inside;  // whether the texel is in the depth image; else it has no weight
+    float weight; // of the tap among those of the receiver, in a mean over the distances or the area around it
 };
 // SPDX-License-Identifier: MIT
-// Directions that divide the circle evenly, marched in even steps; both start at a random offset per pixel:
-// stochastic-depth-ao, Algorithms 2 and 3.
+// How much of a way across the depth image stays in it, from 0 to 1: a march is cut at the picture's edge, so that a radius
+// that is larger than the picture still finds what is there. `from` and `way` in texels, edges being whole numbers.
+float crease_share_inside(vec2 from, vec2 way) {
+    vec2 size = crease_depth_size();
+    vec2 room = vec2(way.x > 0.0 ? size.x - from.x : from.x, way.y > 0.0 ? size.y - from.y : from.y);
+    vec2 share = room / max(abs(way), vec2(1e-20));
+    return clamp(min(share.x, share.y), 0.0, 1.0);
+}
+// SPDX-License-Identifier: MIT
+// Directions that divide the circle evenly, and steps that grow by a power of their index; both start at a random offset
+// per pixel: stochastic-depth-ao, Algorithms 2 and 3.
 
 vec2 crease_noise(ivec2 pixel);
+float crease_share_inside(vec2 from, vec2 way);
 
 struct crease_pattern {
     vec2 direction; // unit, on the disk that faces the eye
-    vec2 stride;    // texels
-    vec2 first;     // texels, of step 0; rounded down it is the texel
-    float offset;   // of step 0, in strides
-    float nearest;  // strides that make a texel, in the root mean square over the directions on the screen
+    vec2 first;     // texels: where the march begins; rounded down it is the texel
+    vec2 march;     // texels: from there to where it ends, at the radius or the picture's edge
+    float share;    // of the radius, that the march covers
+    float offset;   // of step 0, in steps
+    float nearest;  // radii that make a texel, in the root mean square over the directions on the screen
 };
 
 float crease_directions_angle() { return 6.28318531 / float(crease_directions_count); }
@@ -217,8 +230,7 @@ crease_pattern crease_pattern_begin(crease_receiver receiver) {
     // In each direction more than 1 / sqrt(2) of the texels that it says, so no tap falls on the receiver itself.
     float texels = abs(determinant(receiver.disk)) *
         inversesqrt(0.5 * (dot(receiver.disk[0], receiver.disk[0]) + dot(receiver.disk[1], receiver.disk[1])));
-    return crease_pattern(vec2(cos(angle), sin(angle)), vec2(0.0), vec2(0.0), noise.y,
-                          float(crease_directions_steps + 1) / texels);
+    return crease_pattern(vec2(cos(angle), sin(angle)), vec2(0.0), vec2(0.0), 1.0, noise.y, 1.0 / texels);
 }
 
 int crease_direction_count() { return crease_directions_count; }
@@ -233,84 +245,86 @@ vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
                                  : vec2(turn.x * pattern.direction.x - turn.y * pattern.direction.y,
                                         turn.y * pattern.direction.x + turn.x * pattern.direction.y);
     pattern.offset = fract(pattern.offset + 0.61803399); // another first step in each direction
-    pattern.stride = receiver.disk * (pattern.direction * (1.0 / float(crease_directions_steps + 1)));
-    pattern.first = receiver.texel + 0.5 + pattern.stride * (pattern.offset + pattern.nearest);
+    vec2 radius = receiver.disk * pattern.direction;
+    pattern.first = receiver.texel + 0.5 + radius * pattern.nearest;
+    pattern.share = crease_share_inside(pattern.first, radius);
+    pattern.march = radius * pattern.share;
     return pattern.direction;
 }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
-    vec2 texel = floor(pattern.first + pattern.stride * float(step));
-    return crease_tap(texel, crease_inside(texel));
+    float along = (float(step) + pattern.offset) * (1.0 / float(crease_directions_steps));
+    float density = 1.0; // by how much the steps grow there
+    for (int i = 1; i < crease_directions_power; ++i)
+        density *= along;
+    vec2 texel = floor(pattern.first + pattern.march * (along * density));
+    return crease_tap(texel, crease_inside(texel), pattern.share * density);
 }
 // SPDX-License-Identifier: MIT
-// Horizons: stochastic-depth-ao, Algorithm 2, with the threshold of 4.4.
-//
-// The Z axis of the paper's figure 4.5 is the direction to the eye. The angle of a tap is the tangent's plus its angle
-// over the tangent plane, which is measured at the tap's own azimuth, as its texel moves it off the marched direction:
-// so a plane is unoccluded at every slant.
+// Horizons: stochastic-depth-ao, Algorithm 2, with the threshold of 4.4. The Z axis of the paper's figure 4.5 is the
+// direction to the eye.
 
 int crease_direction_count();
 
 struct crease_estimate {
     float occlusion;   // summed over the directions
-    float horizon;     // of this direction: sine of its angle
+    float rise;        // of this direction's horizon: sin(horizon) - sin(tangent)
     float sin_tangent; // of this direction
     float cos_tangent;
-    float steepness;   // 1 / length of the normal's part in the plane of this direction and the eye
-    vec2 lean;         // slope of the tangent plane along the axes of the disk
-    float averted;     // 1 / cosine of the angle between the normal and the direction to the eye
+    float n_dot_v;     // cosine between the normal and the direction to the eye
+    vec2 on_disk;      // the normal along the axes of the disk
     vec2 bias;         // cosine and sine of the bias
     float reach;       // 1 / square of the radius
 };
 
 struct crease_contribution {
     float occlusion;
-    float horizon;
+    float rise;
 };
 
 crease_estimate crease_estimate_begin(crease_receiver receiver) {
-    float averted = 1.0 / max(dot(receiver.normal, receiver.to_eye), 1e-3);
-    vec2 lean = -averted * vec2(dot(receiver.normal, receiver.across), dot(receiver.normal, receiver.up));
-    return crease_estimate(0.0, 0.0, 0.0, 0.0, 0.0, lean, averted, vec2(cos(crease_bias), sin(crease_bias)),
-                           1.0 / (crease_radius * crease_radius));
+    vec2 on_disk = vec2(dot(receiver.normal, receiver.across), dot(receiver.normal, receiver.up));
+    return crease_estimate(0.0, 0.0, 0.0, 0.0, dot(receiver.normal, receiver.to_eye), on_disk,
+                           vec2(cos(crease_bias), sin(crease_bias)), 1.0 / (crease_radius * crease_radius));
 }
 
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {
-    float slope = dot(estimate.lean, direction);
-    estimate.cos_tangent = inversesqrt(1.0 + slope * slope);
-    estimate.sin_tangent = slope * estimate.cos_tangent;
-    estimate.steepness = estimate.cos_tangent * estimate.averted;
-    // The tangent's angle plus the bias, at most a right angle.
-    estimate.horizon = estimate.cos_tangent * estimate.bias.x < estimate.sin_tangent * estimate.bias.y
+    float along = dot(estimate.on_disk, direction);
+    float inverse = inversesqrt(max(along * along + estimate.n_dot_v * estimate.n_dot_v, 1e-12));
+    estimate.sin_tangent = -along * inverse;
+    estimate.cos_tangent = estimate.n_dot_v * inverse;
+    // The horizon begins at the tangent plus the bias, at most at a right angle.
+    float start = estimate.cos_tangent * estimate.bias.x < estimate.sin_tangent * estimate.bias.y
         ? 1.0
         : estimate.sin_tangent * estimate.bias.x + estimate.cos_tangent * estimate.bias.y;
+    estimate.rise = start - estimate.sin_tangent;
 }
 
-// Sine of the angle of a tap, of the square of its distance and its height over the tangent plane.
-float crease_hbao_sine(crease_estimate estimate, float squared, float height) {
-    // The tap's parts across and along the tangent plane, turned by the tangent's angle.
-    float away = sqrt(squared);
-    float across = height * estimate.steepness;
-    across = across < away ? across : away; // min() is more work for some drivers, which see to NaN in it
-    float along = sqrt(max(squared - across * across, 0.0));
-    return (estimate.cos_tangent * across + estimate.sin_tangent * along) / away;
+// sin(horizon) - sin(tangent) of a tap, both in the slice of the eye and the tap itself, which its texel moves off the
+// marched direction: so a plane is unoccluded at every slant.
+float crease_hbao_rise(crease_estimate estimate, crease_receiver receiver, vec3 to_tap, float squared, float height) {
+    float towards = dot(to_tap, receiver.to_eye);
+    float across = max(squared - towards * towards, 0.0);   // square of the distance from the ray to the eye
+    float along = height - estimate.n_dot_v * towards;      // of the normal, across that ray, times the distance
+    float in_slice = along * along + estimate.n_dot_v * estimate.n_dot_v * across;
+    return towards * inversesqrt(squared) + along * inversesqrt(in_slice);
 }
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     vec3 to_tap = position - receiver.position;
     float squared = dot(to_tap, to_tap);
     float height = dot(to_tap, receiver.normal);
-    float sine = crease_hbao_sine(estimate, squared, height);
+    float rise = crease_hbao_rise(estimate, receiver, to_tap, squared, height);
     float falloff = 1.0 - squared * estimate.reach;
     bool counts =
-        tap.inside && sine > estimate.horizon && falloff > 0.0 && height > crease_threshold * sqrt(squared);
-    return counts ? crease_contribution(falloff * (sine - estimate.horizon), sine)
-                  : crease_contribution(0.0, estimate.horizon);
+        tap.inside && rise > estimate.rise && falloff > 0.0 && height > crease_threshold * sqrt(squared);
+    return counts ? crease_contribution(falloff * (rise - estimate.rise), rise)
+                  : crease_contribution(0.0, estimate.rise);
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {
     estimate.occlusion += contribution.occlusion;
-    estimate.horizon = contribution.horizon;
+    estimate.rise = contribution.rise;
 }
 
 float crease_estimate_occlusion(crease_estimate estimate) {

@@ -186,13 +186,24 @@ vec2 crease_noise(ivec2 pixel) {
 // A tap on the screen, at the centre of a texel.
 struct crease_tap {
     vec2 texel;
-    bool inside; // whether the texel is in the depth image; else it has no weight
+    bool inside;  // whether the texel is in the depth image; else it has no weight
+    float weight; // of the tap among those of the receiver, in a mean over the distances or the area around it
 };
+// SPDX-License-Identifier: MIT
+// How much of a way across the depth image stays in it, from 0 to 1: a march is cut at the picture's edge, so that a radius
+// that is larger than the picture still finds what is there. `from` and `way` in texels, edges being whole numbers.
+float crease_share_inside(vec2 from, vec2 way) {
+    vec2 size = crease_depth_size();
+    vec2 room = vec2(way.x > 0.0 ? size.x - from.x : from.x, way.y > 0.0 ? size.y - from.y : from.y);
+    vec2 share = room / max(abs(way), vec2(1e-20));
+    return clamp(min(share.x, share.y), 0.0, 1.0);
+}
 // SPDX-License-Identifier: MIT
 // A disk of points that keep apart: a spiral of golden angles, on which no two of N points are nearer to each other
 // than 1 / sqrt(N) of the radius, for every N. It is turned, and its radii are shifted, at random per pixel.
 
 vec2 crease_noise(ivec2 pixel);
+float crease_share_inside(vec2 from, vec2 way);
 
 struct crease_pattern {
     vec2 direction; // unit, on the disk that faces the eye
@@ -216,22 +227,24 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     pattern.direction = vec2(golden_angle.x * pattern.direction.x - golden_angle.y * pattern.direction.y,
                              golden_angle.y * pattern.direction.x + golden_angle.x * pattern.direction.y);
     float distance = sqrt((float(step) + pattern.offset) / float(crease_poisson_disk_count));
-    vec2 texel = floor(receiver.texel + 0.5 + receiver.disk * (pattern.direction * distance));
-    return crease_tap(texel, texel != receiver.texel && crease_inside(texel));
+    vec2 radius = receiver.disk * pattern.direction;
+    float share = crease_share_inside(receiver.texel + 0.5, radius);
+    vec2 texel = floor(receiver.texel + 0.5 + radius * (share * distance));
+    return crease_tap(texel, texel != receiver.texel && crease_inside(texel), share * share);
 }
 // SPDX-License-Identifier: MIT
 // Taps projected onto the normal: stochastic-depth-ao, Algorithm 3.
 
 struct crease_estimate {
     float occlusion; // summed over the taps
-    float taps;
+    float weights;
     float reach;     // 1 / square of the radius
 };
 
 struct crease_contribution {
     float occlusion;
     float rise; // cosine between the normal and the way to the tap less the bias, where that occludes
-    float taps;
+    float weight;
 };
 
 crease_estimate crease_estimate_begin(crease_receiver receiver) {
@@ -246,16 +259,16 @@ crease_contribution crease_weigh(crease_estimate estimate, crease_receiver recei
     float rise = dot(to_tap, receiver.normal) * inversesqrt(squared) - crease_bias;
     float falloff = 1.0 - squared * estimate.reach;
     bool counts = tap.inside && falloff > 0.0 && rise > 0.0;
-    return counts ? crease_contribution(falloff * rise, rise, 1.0)
-                  : crease_contribution(0.0, 0.0, float(tap.inside));
+    float weight = tap.inside ? tap.weight : 0.0;
+    return counts ? crease_contribution(weight * falloff * rise, rise, weight) : crease_contribution(0.0, 0.0, weight);
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {
     estimate.occlusion += contribution.occlusion;
-    estimate.taps += contribution.taps;
+    estimate.weights += contribution.weight;
 }
 
-float crease_estimate_occlusion(crease_estimate estimate) { return estimate.occlusion / max(estimate.taps, 1.0); }
+float crease_estimate_occlusion(crease_estimate estimate) { return estimate.occlusion / max(estimate.weights, 1e-20); }
 // SPDX-License-Identifier: MIT
 // Of what is gathered the occlusion, and nothing else.
 
