@@ -56,8 +56,8 @@ visibility_image upsample(const visibility_image& image, const picture& p, const
     const double tightness = s.sharpness / s.radius;
     for (int y = 0; y < p.height; ++y)
         for (int x = 0; x < p.width; ++x) {
-            const double depth = p.background(x, y) ? 1e9 : -p.position(x, y).z;
-            out.depth.push_back(depth);
+            const glm::dvec3 position = p.position(x, y), normal(p.normals[p.index(x, y)]);
+            out.depth.push_back(p.background(x, y) ? 1e9 : -position.z);
             // Pixel (i, j) of the smaller picture stands for texel (i, j) * factor + (factor - 1) / 2 of this
             // one.
             const double px = static_cast<double>(x - (factor - 1) / 2) / factor;
@@ -66,10 +66,16 @@ visibility_image upsample(const visibility_image& image, const picture& p, const
             double sum = 0, weights = 0;
             for (int j = 0; j < 2; ++j)
                 for (int i = 0; i < 2; ++i) {
-                    const std::size_t coarse = at(image, std::clamp(x0 + i, 0, image.width - 1),
-                                                  std::clamp(y0 + j, 0, image.height - 1));
+                    const int cx = std::clamp(x0 + i, 0, image.width - 1),
+                              cy = std::clamp(y0 + j, 0, image.height - 1);
+                    const std::size_t coarse = at(image, cx, cy);
+                    const int tx = std::min(cx * factor + (factor - 1) / 2, p.width - 1),
+                              ty = std::min(cy * factor + (factor - 1) / 2, p.height - 1);
                     const double near = (1 - std::abs(px - x0 - i)) * (1 - std::abs(py - y0 - j)) + 1e-3;
-                    const double apart = (image.depth[coarse] - depth) * tightness;
+                    // Of background nothing counts.
+                    const double apart = p.background(tx, ty)
+                                             ? 1e9
+                                             : glm::dot(p.position(tx, ty) - position, normal) * tightness;
                     const double weight = near / (1 + apart * apart);
                     sum += weight * image.visibility[coarse];
                     weights += weight;

@@ -117,6 +117,32 @@ TEST_CASE("upsampling from half, third and quarter resolution") {
     }
 }
 
+TEST_CASE("half and quarter resolution along creases at a slant come near the whole one") {
+    // Two walls and a floor whose creases cross the rows and columns of the picture at small angles.
+    const glm::dvec3 floor = glm::normalize(glm::dvec3(0.12, 1, 0.5)),
+                     wall = glm::normalize(glm::cross(floor, glm::dvec3(1, 0.1, 0.3))),
+                     side = glm::cross(floor, wall);
+    using kind = oracle::surface::kind;
+    const glm::dvec3 corner(0.4, -0.3, -4);
+    const oracle::picture p =
+        oracle::draw({{kind::plane, corner, floor}, {kind::plane, corner, wall}, {kind::plane, corner, side}},
+                     lens::standard, 321, 203);
+    const std::vector<float> whole = oracle::run(p, "directions:8x8/single_layer/hbao/bilateral", 0.8);
+    for (const auto& [filters, bound] :
+         {std::pair{"/bilateral:1/upsample:2", 0.0105}, {"/bilateral:1/upsample:4", 0.018}}) {
+        const std::vector<float> coarse =
+            oracle::run(p, std::string("directions:8x8/single_layer/hbao") + filters, 0.8);
+        double squares = 0, least = 1;
+        for (std::size_t i = 0; i < whole.size(); ++i) {
+            squares += (whole[i] - coarse[i]) * double{whole[i] - coarse[i]};
+            least = std::min(least, double{whole[i]});
+        }
+        CAPTURE(std::string(filters));
+        CHECK(least < 0.6);
+        CHECK(std::sqrt(squares / static_cast<double>(whole.size())) < bound);
+    }
+}
+
 TEST_CASE("strength and exponent") {
     const oracle::picture p = oracle::draw(oracle::still_life(), lens::standard, 64, 48);
     const crease::recipe chosen("directions:6x3/single_layer/hbao");

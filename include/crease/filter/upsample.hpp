@@ -14,9 +14,9 @@ struct upsample_part {
     static constexpr number takes[] = {{"factor", 2, 8, 2, "how much smaller the sides of the input are"}};
     static constexpr setting reads[] = {
         {"sharpness", &parameters::sharpness, 32, 0, 1000,
-         "how fast a weight falls with the difference in depth, per radius"},
+         "how fast a weight falls with the distance from the tangent plane, per radius"},
     };
-    static constexpr role view[] = {role::projection, role::depth_encoding};
+    static constexpr role view[] = {role::projection, role::depth_encoding, role::normals};
     static constexpr step passes[] = {
         {.name = "upsample", .body = &upsample_glsl, .includes = view},
     };
@@ -24,7 +24,7 @@ struct upsample_part {
         .kind = role::filter,
         .name = "upsample",
         .summary =
-            "computes what stands before it at a lower resolution, and brings it to the picture's by depth",
+            "computes what stands before it at a lower resolution, and brings it to the picture's by planes",
         .source = "statistical-volumetric-obscurance 2015, 4.6.1; stochastic-depth-ao 2020, 9.1",
         .numbers = takes,
         .settings = reads,
