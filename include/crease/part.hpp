@@ -110,6 +110,9 @@ struct step {
         writes{};                            ///< the part's own resources that a build fills, all of one size
     access how = access::store;              ///< how a build fills them; or modify
     int group_width = 16, group_height = 16; ///< a build's workgroup, invocations
+    /// Of a body that reads far around its texel: how many workgroups side by side run down the output
+    /// together, so that they find in the cache what they share; 0: they run in rows.
+    int columns = 0;
     int from = 0; ///< a build's: the part's first number from which on the step is there
 };
 

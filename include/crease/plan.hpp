@@ -78,7 +78,8 @@ inline constexpr role main_roles[] = {
     role::second_view, role::projection, role::depth_encoding, role::depth_source, role::normals,
     role::noise,       role::sampler,    role::estimator,      role::fold,         role::output};
 
-inline constexpr step main_step{.name = "visibility", .body = &visibility_glsl, .includes = main_roles};
+inline constexpr step main_step{
+    .name = "visibility", .body = &visibility_glsl, .includes = main_roles, .columns = 16};
 
 namespace planning {
 

@@ -30,7 +30,8 @@ namespace writing {
 namespace names {
 inline constexpr std::string_view none = "", parameters = "parameters", input = "input", output = "output",
                                   compute = "compute", width = "width", height = "height",
-                                  divisor = "divisor", input_divisor = "input_divisor";
+                                  divisor = "divisor", input_divisor = "input_divisor",
+                                  workgroup = "workgroup", columns = "columns";
 }
 
 /// Where the bindings and constants of a program begin: chosen by the host for functions, else 0.
@@ -322,6 +323,8 @@ constexpr program write_evaluate(const plan& p, const planned_pass& pass) {
     for (const step_constant& c : pass.what->constants)
         to.write_constant(c.of.empty() ? pass.owner.what->name : c.of, c.name, c.value);
     to.write_constant(names::none, names::divisor, static_cast<int>(pass.size.divisor));
+    if (kind == stage_kind::compute)
+        to.write_constant(names::workgroup, names::columns, pass.what->columns);
     if (pass.input >= 0)
         to.write_constant(names::none, names::input_divisor, static_cast<int>(pass.input_divisor));
     to.write_view(pass.view);

@@ -26,6 +26,7 @@ std::string read(const fs::path& path) {
 constexpr std::string_view version = "#version 450\n";
 constexpr std::string_view prelude = R"(#define crease_unroll
 const int crease_divisor = 1;
+const int crease_workgroup_columns = 16;
 const int crease_input_divisor = 2;
 int crease_view_index = 0;
 #define crease_parameters_place std140, set = 0, binding = 0

@@ -45,10 +45,10 @@ void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {
 // marched direction: so a plane is unoccluded at every slant.
 float crease_hbao_rise(crease_estimate estimate, crease_receiver receiver, vec3 to_tap, float squared, float height) {
     float towards = dot(to_tap, receiver.to_eye);
-    float across = max(squared - towards * towards, 0.0);   // square of the distance from the ray to the eye
-    float along = height - estimate.n_dot_v * towards;      // of the normal, across that ray, times the distance
-    float in_slice = along * along + estimate.n_dot_v * estimate.n_dot_v * across;
-    return towards * inversesqrt(squared) + along * inversesqrt(in_slice);
+    float along = height - estimate.n_dot_v * towards; // of the normal, across the ray to the eye, times the distance
+    float across = estimate.n_dot_v * estimate.n_dot_v * (squared - towards * towards);
+    float away = sqrt(squared), in_slice = sqrt(along * along + across);
+    return (towards * in_slice + along * away) / (away * in_slice);
 }
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {

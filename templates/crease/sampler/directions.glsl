@@ -11,7 +11,7 @@ float crease_share_inside(vec2 from, vec2 way);
 struct crease_pattern {
     vec2 direction; // unit, on the disk that faces the eye
     vec2 first;     // texels: where the march begins; rounded down it is the texel
-    vec2 march;     // texels: from there to where it ends, at the radius or the picture's edge
+    vec2 march;     // texels: of a step of 1; of all steps together to the radius or the picture's edge
     float share;    // of the radius, that the march covers
     float offset;   // of step 0, in steps
     float nearest;  // radii that make a texel, in the root mean square over the directions on the screen
@@ -43,13 +43,12 @@ vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
     vec2 radius = receiver.disk * pattern.direction;
     pattern.first = receiver.texel + 0.5 + radius * pattern.nearest;
     pattern.share = crease_share_inside(pattern.first, radius);
-    pattern.march = radius * pattern.share;
+    pattern.march = radius * (pattern.share * pow(float(crease_directions_steps), -float(crease_directions_power)));
     return pattern.direction;
 }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
-    float along = (float(step) + pattern.offset) * (1.0 / float(crease_directions_steps));
-    float density = 1.0; // by how much the steps grow there
+    float along = float(step) + pattern.offset, density = 1.0; // by how much the steps grow there
     for (int i = 1; i < crease_directions_power; ++i)
         density *= along;
     vec2 texel = floor(pattern.first + pattern.march * (along * density));

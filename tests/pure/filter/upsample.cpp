@@ -23,7 +23,8 @@ TEST_CASE("upsample reads the depth of the picture beside its input") {
     using effect =
         crease::effect<crease::directions<>, crease::single_layer, crease::hbao, crease::upsample<>>;
     const auto& bindings = effect::passes[1].bindings;
-    REQUIRE(bindings.size() == 4);
+    REQUIRE(bindings.size() == 5);
     CHECK(bindings[1].name == "depth");
-    CHECK(bindings[2].name == "input");
+    CHECK(bindings[2].name == "normal");
+    CHECK(bindings[3].name == "input");
 }

@@ -6,6 +6,7 @@ layout(constant_id = 2) const int crease_directions_count = 8;
 layout(constant_id = 3) const int crease_directions_steps = 4;
 layout(constant_id = 4) const int crease_directions_power = 2;
 const int crease_divisor = 1;
+const int crease_workgroup_columns = 16;
 const int crease_view_index = 0;
 #define crease_write(pixel, result) imageStore(crease_output, pixel, crease_encode_visibility(result));
 layout(set = 0, binding = 1) uniform sampler2D crease_depth;
@@ -201,9 +202,8 @@ struct crease_tap {
 // How much of a way across the depth image stays in it, from 0 to 1: a march is cut at the picture's edge, so that a radius
 // that is larger than the picture still finds what is there. `from` and `way` in texels, edges being whole numbers.
 float crease_share_inside(vec2 from, vec2 way) {
-    vec2 size = crease_depth_size();
-    vec2 room = vec2(way.x > 0.0 ? size.x - from.x : from.x, way.y > 0.0 ? size.y - from.y : from.y);
-    vec2 share = room / max(abs(way), vec2(1e-20));
+    vec2 after = crease_depth_size() - from;
+    vec2 share = vec2(way.x < 0.0 ? from.x : after.x, way.y < 0.0 ? from.y : after.y) * abs(1.0 / way);
     return clamp(min(share.x, share.y), 0.0, 1.0);
 }
 // SPDX-License-Identifier: MIT
@@ -216,7 +216,7 @@ float crease_share_inside(vec2 from, vec2 way);
 struct crease_pattern {
     vec2 direction; // unit, on the disk that faces the eye
     vec2 first;     // texels: where the march begins; rounded down it is the texel
-    vec2 march;     // texels: from there to where it ends, at the radius or the picture's edge
+    vec2 march;     // texels: of a step of 1; of all steps together to the radius or the picture's edge
     float share;    // of the radius, that the march covers
     float offset;   // of step 0, in steps
     float nearest;  // radii that make a texel, in the root mean square over the directions on the screen
@@ -248,13 +248,12 @@ vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
     vec2 radius = receiver.disk * pattern.direction;
     pattern.first = receiver.texel + 0.5 + radius * pattern.nearest;
     pattern.share = crease_share_inside(pattern.first, radius);
-    pattern.march = radius * pattern.share;
+    pattern.march = radius * (pattern.share * pow(float(crease_directions_steps), -float(crease_directions_power)));
     return pattern.direction;
 }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
-    float along = (float(step) + pattern.offset) * (1.0 / float(crease_directions_steps));
-    float density = 1.0; // by how much the steps grow there
+    float along = float(step) + pattern.offset, density = 1.0; // by how much the steps grow there
     for (int i = 1; i < crease_directions_power; ++i)
         density *= along;
     vec2 texel = floor(pattern.first + pattern.march * (along * density));
@@ -304,10 +303,10 @@ void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {
 // marched direction: so a plane is unoccluded at every slant.
 float crease_hbao_rise(crease_estimate estimate, crease_receiver receiver, vec3 to_tap, float squared, float height) {
     float towards = dot(to_tap, receiver.to_eye);
-    float across = max(squared - towards * towards, 0.0);   // square of the distance from the ray to the eye
-    float along = height - estimate.n_dot_v * towards;      // of the normal, across that ray, times the distance
-    float in_slice = along * along + estimate.n_dot_v * estimate.n_dot_v * across;
-    return towards * inversesqrt(squared) + along * inversesqrt(in_slice);
+    float along = height - estimate.n_dot_v * towards; // of the normal, across the ray to the eye, times the distance
+    float across = estimate.n_dot_v * estimate.n_dot_v * (squared - towards * towards);
+    float away = sqrt(squared), in_slice = sqrt(along * along + across);
+    return (towards * in_slice + along * away) / (away * in_slice);
 }
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
@@ -525,8 +524,23 @@ crease_result crease_evaluate(ivec2 pixel) {
 // SPDX-License-Identifier: MIT
 crease_result crease_evaluate(ivec2 pixel);
 
+// The workgroup's place: in rows, or in columns that are so many wide, as a texel has left the cache when a row of a large
+// picture comes to it again. Quotients are of floats, as many devices have none of whole numbers.
+uvec2 crease_workgroup() {
+    uvec2 place = gl_WorkGroupID.xy;
+    if (crease_workgroup_columns > 0) {
+        const float width = float(crease_workgroup_columns);
+        vec2 groups = vec2(uvec2(crease_size(crease_divisor) - 1) / gl_WorkGroupSize.xy + 1u);
+        float index = float(place.y) * groups.x + float(place.x);
+        float column = floor((index + 0.5) / (width * groups.y)), within = index - column * width * groups.y;
+        float here = min(width, groups.x - column * width), row = floor((within + 0.5) / here);
+        place = uvec2(column * width + within - row * here, row);
+    }
+    return place;
+}
+
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 pixel = ivec2(crease_workgroup() * gl_WorkGroupSize.xy + gl_LocalInvocationID.xy);
     if (all(lessThan(pixel, crease_size(crease_divisor)))) {
         crease_result result = crease_evaluate(pixel);
         crease_write(pixel, result)
