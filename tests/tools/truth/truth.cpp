@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "truth/truth.hpp"
 
+#include "before_wall.hpp"
 #include "expect_error.hpp"
+#include "measure/compare.hpp"
+#include "placed_scene.hpp"
 #include "scene/solids.hpp"
 
 #include <glm/ext/matrix_transform.hpp>
@@ -20,7 +23,7 @@ namespace {
 
 constexpr float far_away = 500;
 
-camera look(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up = {0, 1, 0}) {
+camera look(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up = {0, 1, 0}) {
     camera from;
     from.eye = eye;
     from.target = target;
@@ -28,7 +31,7 @@ camera look(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up =
     return from;
 }
 
-void add_rectangle(mesh& to, const glm::vec3& corner, const glm::vec3& a, const glm::vec3& b) {
+void add_rectangle(mesh& to, const glm::dvec3& corner, const glm::dvec3& a, const glm::dvec3& b) {
     const auto first = static_cast<std::uint32_t>(to.positions.size());
     to.positions.insert(to.positions.end(), {corner, corner + a, corner + a + b, corner + b});
     for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u})
@@ -36,25 +39,25 @@ void add_rectangle(mesh& to, const glm::vec3& corner, const glm::vec3& a, const 
 }
 
 /// The ground at y = 0 around `centre`.
-mesh ground(const glm::vec3& centre = glm::vec3(0)) {
+mesh ground(const glm::dvec3& centre = glm::dvec3(0)) {
     mesh plane;
-    add_rectangle(plane, centre + glm::vec3(-far_away, 0, -far_away), {2 * far_away, 0, 0},
+    add_rectangle(plane, centre + glm::dvec3(-far_away, 0, -far_away), {2 * far_away, 0, 0},
                   {0, 0, 2 * far_away});
     return plane;
 }
 
 /// World-space position that a texel of the truth shows.
-glm::vec3 position(const truth& seen, const camera& from, unsigned x, unsigned y) {
-    const float half = std::tan(glm::radians(from.vfov_deg) / 2);
-    const auto width = static_cast<float>(seen.depth.width), height = static_cast<float>(seen.depth.height);
-    const glm::vec3 through(half * width / height * ((static_cast<float>(x) + 0.5f) / width * 2 - 1),
-                            half * (1 - (static_cast<float>(y) + 0.5f) / height * 2), -1);
-    return glm::inverse(view_matrix(from)) * glm::vec4(through * seen.depth.at(x, y), 1);
+glm::dvec3 position(const truth& seen, const camera& from, unsigned x, unsigned y) {
+    const double half = std::tan(glm::radians(double{from.vfov_deg}) / 2);
+    const double width = seen.depth.width, height = seen.depth.height;
+    const glm::dvec3 through(half * width / height * ((x + 0.5) / width * 2 - 1),
+                             half * (1 - (y + 0.5) / height * 2), -1);
+    return glm::inverse(view_matrix(from)) * glm::dvec4(through * double{seen.depth.at(x, y)}, 1);
 }
 
-glm::vec3 world_normal(const truth& seen, const camera& from, unsigned x, unsigned y) {
-    const glm::vec3 normal(seen.normal.at(x, y, 0), seen.normal.at(x, y, 1), seen.normal.at(x, y, 2));
-    return glm::transpose(glm::mat3(view_matrix(from))) * normal;
+glm::dvec3 world_normal(const truth& seen, const camera& from, unsigned x, unsigned y) {
+    const glm::dvec3 normal(seen.normal.at(x, y, 0), seen.normal.at(x, y, 1), seen.normal.at(x, y, 2));
+    return glm::transpose(view_rotation(from)) * normal;
 }
 
 bool all_are(const image& pixels, float value) {
@@ -66,21 +69,6 @@ double mean(const image& pixels) {
     for (const float texel : pixels.texels)
         sum += texel;
     return sum / static_cast<double>(pixels.texels.size());
-}
-
-struct visibility {
-    double hard, linear, quad;
-};
-
-/// Of a point on the floor before an endless wall. Seen from above, cosine-weighted directions are uniform in
-/// the unit disk, and the wall at distance s * radius is met within the radius where the disk's X >= s.
-visibility before_wall(double s) {
-    if (s >= 1)
-        return {1, 1, 1};
-    const double q = std::sqrt(1 - s * s), angle = std::acos(s), pi = std::numbers::pi;
-    const double hard = (angle - s * q) / pi;
-    return {1 - hard, 1 - hard + 2 * s / pi * (std::atanh(q) - q),
-            1 - hard + 2 * s * s / pi * (q / s - angle)};
 }
 
 }
@@ -253,4 +241,100 @@ TEST_CASE("truth: settings that mean nothing") {
     expect("radius inf", {.radius = std::numeric_limits<float>::infinity()});
     expect("0 rays", {.rays = 0});
     expect_error<scene_error>("has no triangles", [&] { trace_truth({}, from, {}); });
+}
+
+namespace {
+
+truth truth_of(const placed_scene& scene) {
+    return trace_truth(scene.triangles, scene.from,
+                       {.width = scene.from.width,
+                        .height = scene.from.height,
+                        .radius = scene.from.ao_radius,
+                        .rays = 16,
+                        .first_layer = true});
+}
+
+/// How the visibility of an image differs in the mean.
+double mean_difference(const image& a, const image& b) {
+    return compare(a, b).mae;
+}
+
+}
+
+TEST_CASE("truth: the same wherever the scene is") {
+    const truth here = truth_of(placed_scene(1));
+    for (const glm::dvec3 place : {glm::dvec3(1e5, 0, -1e5), glm::dvec3(-6.4e6, 6.4e6, 3)}) {
+        const truth there = truth_of(placed_scene(1, place));
+        CHECK(there.depth.texels == here.depth.texels);
+        CHECK(there.normal.texels == here.normal.texels);
+        CHECK(there.bent.texels == here.bent.texels);
+        CHECK(there.ao_hard.texels == here.ao_hard.texels);
+        CHECK(there.ao_linear.texels == here.ao_linear.texels);
+        CHECK(there.ao_quad.texels == here.ao_quad.texels);
+        CHECK(there.ao_first_layer.texels == here.ao_first_layer.texels);
+    }
+}
+
+TEST_CASE("truth: the same for a scene of any size") {
+    const truth one = truth_of(placed_scene(1));
+    for (const double size : {0x1p-80, 0x1p-40, 0x1p50, 0x1p80}) {
+        CAPTURE(size);
+        const truth other = truth_of(placed_scene(size));
+        CHECK(shrunk(other.depth, size).texels == one.depth.texels);
+        CHECK(other.normal.texels == one.normal.texels);
+        CHECK(other.bent.texels == one.bent.texels);
+        CHECK(other.ao_linear.texels == one.ao_linear.texels);
+        CHECK(other.ao_first_layer.texels == one.ao_first_layer.texels);
+    }
+    for (const double size : {1e-12, 1e-6, 1e9, 1e15}) { // which round every position anew
+        CAPTURE(size);
+        const truth other = truth_of(placed_scene(size));
+        const double visibility = mean_difference(other.ao_linear, one.ao_linear),
+                     depth = mean_difference(shrunk(other.depth, size), one.depth);
+        MESSAGE("size " << size << ": visibility differs by " << visibility << ", depth by " << depth);
+        CHECK(visibility <= 5e-7); // measured: 1.4e-7
+        CHECK(depth <= 2.5e-6);    // measured: 6.5e-7
+    }
+}
+
+TEST_CASE("truth: an eye too far away is refused") {
+    camera from = look({0, 0, 1.9e18}, {0, 0, 0});
+    mesh box;
+    add_box(box, {-1, -1, -1}, {1, 1, 1});
+    const truth_settings settings{.width = 4, .height = 4, .radius = 1, .rays = 1};
+    const auto refused = [&](const std::string& part) {
+        expect_error<scene_error>(part, [&] { trace_truth(box, from, settings); });
+    };
+    refused(
+        "the radius 1 is out of what 32-bit positions allow from this eye, which the scene begins 1.9e+18 ");
+    from.eye = {1e8, 0, 0};
+    from.far = 2e8f;
+    refused(
+        "the radius 1 is out of what 32-bit positions allow from this eye, which the scene begins 1e+08 ");
+    from.eye = {1.9e18, 1.9e18, 1.9e18};
+    refused("no triangle has an area; move the camera nearer");
+}
+
+TEST_CASE("truth: near and far of any size") {
+    placed_scene scene(1);
+    const truth expected = truth_of(scene);
+    for (const auto& [near, far] : {std::pair{1e-30f, 1e30f}, {1e-7f, 1e7f}, {1e-38f, 3e38f}}) {
+        scene.from.near = near;
+        scene.from.far = far;
+        const truth seen = truth_of(scene);
+        CHECK(seen.ao_linear.texels == expected.ao_linear.texels);
+        CHECK(*std::ranges::max_element(seen.depth.texels) == far);
+    }
+    scene.from.near = 1e37f;
+    CHECK(all_are(truth_of(scene).ao_linear, 1));
+}
+
+TEST_CASE("truth: no corner that rounding folds up makes a number that is none") {
+    mesh scene = ground({0, 0, -400});
+    for (unsigned i = 0; i < 64; ++i) // 32-bit positions are 3e-5 apart there
+        add_rectangle(scene, {-3 + 0.1 * i, 0.5, -400}, {1e-5, 0, 0}, {0, 1e-5, 1e-5});
+    const camera from = look({0, 3, 0}, {0, 0, -100});
+    const truth seen = trace_truth(scene, from, {.width = 32, .height = 18, .radius = 2, .rays = 16});
+    for (const image* pixels : {&seen.depth, &seen.normal, &seen.bent, &seen.ao_linear})
+        CHECK(std::ranges::all_of(pixels->texels, [](float texel) { return std::isfinite(texel); }));
 }
