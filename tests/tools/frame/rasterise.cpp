@@ -4,6 +4,7 @@
 
 #include "expect_error.hpp"
 #include "placed_scene.hpp"
+#include "rectangles.hpp"
 
 #include "truth/truth.hpp"
 
@@ -139,18 +140,12 @@ TEST_CASE("rasterise: an eye too far away is refused") {
 }
 
 TEST_CASE("rasterise: normals are unit, face the camera, and point along the axes of view space") {
-    mesh room; // open to the camera
-    const auto add = [&](const glm::dvec3& corner, const glm::dvec3& a, const glm::dvec3& b) {
-        const auto first = static_cast<std::uint32_t>(room.positions.size());
-        room.positions.insert(room.positions.end(), {corner, corner + a, corner + a + b, corner + b});
-        for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u})
-            room.indices.push_back(first + i);
-    };
-    add({-2, -1, 1}, {4, 0, 0}, {0, 0, -7}); // floor
-    add({-2, 1, 1}, {4, 0, 0}, {0, 0, -7});  // ceiling
-    add({-2, -1, 1}, {0, 2, 0}, {0, 0, -7}); // left
-    add({2, -1, 1}, {0, 2, 0}, {0, 0, -7});  // right
-    add({-2, -1, -6}, {4, 0, 0}, {0, 2, 0}); // back
+    mesh room; // a floor, a ceiling, a left, a right and a back wall
+    add_rectangle(room, {-2, -1, 1}, {4, 0, 0}, {0, 0, -7});
+    add_rectangle(room, {-2, 1, 1}, {4, 0, 0}, {0, 0, -7});
+    add_rectangle(room, {-2, -1, 1}, {0, 2, 0}, {0, 0, -7});
+    add_rectangle(room, {2, -1, 1}, {0, 2, 0}, {0, 0, -7});
+    add_rectangle(room, {-2, -1, -6}, {4, 0, 0}, {0, 2, 0});
     camera from;
     from.vfov_deg = 90;
     from.width = 64;
