@@ -27,8 +27,8 @@ struct gbuffer {
     std::vector<float> device;  ///< reversed device depth, guard band included; 0 where there is background
     std::vector<float> normals; ///< four a texel, guard band included: view space, unit, geometric, facing
                                 ///< the camera; 0 where there is background
-    image depth; ///< of the picture: positive linear view depth, world units; the camera's far plane where
-                 ///< there is background
+    image depth;  ///< of the picture: positive linear view depth, world units; the camera's far plane where
+                  ///< there is background
     image normal; ///< of the picture: the normals, 3 channels
 };
 

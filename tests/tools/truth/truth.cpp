@@ -58,8 +58,8 @@ double mean(const image& pixels) {
 }
 
 TEST_CASE("truth: a plane is open, near the origin and far from it") {
-    for (const glm::vec3 centre : {glm::vec3(0), glm::vec3(10000, 3000, -20000)}) {
-        const camera from = look(centre + glm::vec3(0, 5, 8), centre);
+    for (const glm::dvec3 centre : {glm::dvec3(0), glm::dvec3(10000, 3000, -20000)}) {
+        const camera from = look(centre + glm::dvec3(0, 5, 8), centre);
         const truth seen =
             trace_truth(ground(centre), from, {.width = 64, .height = 36, .radius = 50, .rays = 256});
         CHECK(all_are(seen.ao_hard, 1));
@@ -68,9 +68,9 @@ TEST_CASE("truth: a plane is open, near the origin and far from it") {
         for (unsigned y = 0; y < 36; ++y)
             for (unsigned x = 0; x < 64; ++x) {
                 REQUIRE(seen.depth.at(x, y) < from.far);
-                REQUIRE(std::abs(position(seen, from, x, y).y - centre.y) <
-                        1e-6f * glm::length(centre) + 1e-4f);
-                REQUIRE(glm::distance(world_normal(seen, from, x, y), {0, 1, 0}) < 1e-5f);
+                // Measured: 4.3e-5, of the depth's last bit some 500 away; 2.5e-8.
+                REQUIRE(std::abs(position(seen, from, x, y).y - centre.y) <= 1.7e-4);
+                REQUIRE(glm::distance(world_normal(seen, from, x, y), {0, 1, 0}) <= 1e-7);
             }
     }
 }
@@ -87,6 +87,7 @@ TEST_CASE("truth: a floor before a wall has the visibility of the closed form") 
             if (world_normal(seen, from, x, y).y < 0.9f)
                 continue;
             const visibility expected = before_wall(double{position(seen, from, x, y).x} / radius);
+            // Measured: 0.0067, 0.0011, 0.0014.
             REQUIRE(std::abs(seen.ao_hard.at(x, y) - expected.hard) < 0.008);
             REQUIRE(std::abs(seen.ao_linear.at(x, y) - expected.linear) < 0.004);
             REQUIRE(std::abs(seen.ao_quad.at(x, y) - expected.quad) < 0.004);
@@ -133,8 +134,9 @@ TEST_CASE("truth: inside of a box all is closed, whichever way its triangles win
     CHECK(all_are(turned.ao_hard, 0));
     for (unsigned y = 0; y < 48; ++y)
         for (unsigned x = 0; x < 48; ++x) {
-            CHECK(std::abs(seen.depth.at(x, y) - turned.depth.at(x, y)) < 1e-5f);
-            CHECK(glm::distance(world_normal(seen, from, x, y), world_normal(turned, from, x, y)) < 1e-5f);
+            CHECK(std::abs(seen.depth.at(x, y) - turned.depth.at(x, y)) <= 1.6e-6f); // measured: 4.2e-7
+            CHECK(glm::distance(world_normal(seen, from, x, y), world_normal(turned, from, x, y)) <=
+                  1e-7); // measured: 0
         }
 }
 
@@ -160,7 +162,7 @@ TEST_CASE("truth: near and far clip what is seen, not what occludes") {
     from.near = 1.5f;
     const truth second = trace_truth(layers, from, settings);
     CHECK(all_are(second.depth, 2));
-    CHECK(mean(second.ao_hard) < 0.1);
+    CHECK(mean(second.ao_hard) < 0.04); // measured: 0.01
     from.far = 1.9f;
     const truth none = trace_truth(layers, from, settings);
     CHECK(all_are(none.depth, 1.9f));
