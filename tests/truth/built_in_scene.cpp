@@ -77,7 +77,7 @@ TEST_CASE("stochastic layers give back what hidden geometry takes, and bent norm
     // not.
     for (const bound& expected : {bound{"directions:8x4/single_layer/hbao/bent_cone/bilateral", 5.65},
                                   {"directions:8x4/single_layer/hbao_plus/bent_cone/bilateral", 5.65},
-                                  {"hemisphere_points:32/single_layer/ssao/bent_cone/bilateral", 6.85}}) {
+                                  {"hemisphere_points:32/single_layer/ssao/bent_cone/bilateral", 6}}) {
         const double degrees = mean_angle(*run(expected.recipe).bent, traced.bent);
         MESSAGE(std::string(expected.recipe)
                 << ": " << degrees << " degrees to the truth's bent normal; the normals "
@@ -96,6 +96,6 @@ TEST_CASE("the rasteriser sees what the tracer sees") {
     const gbuffer inputs = rasterise(device, scene, from);
     std::size_t apart = 0;
     for (std::size_t i = 0; i < inputs.depth.texels.size(); ++i)
-        apart += std::abs(inputs.depth.texels[i] - traced.depth.texels[i]) > 0.01f * traced.depth.texels[i];
-    CHECK(apart < inputs.depth.texels.size() / 100); // pixels on a silhouette go either way
+        apart += std::abs(inputs.depth.texels[i] - traced.depth.texels[i]) > 1e-4f * traced.depth.texels[i];
+    CHECK(apart <= 32); // pixels on a silhouette go either way; measured: 8
 }

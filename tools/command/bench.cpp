@@ -54,9 +54,9 @@ struct subject {
 
 /// The camera turned to the side, so that the middle of the picture moves by half a pixel.
 camera half_a_pixel_on(camera from) {
-    const glm::vec3 ahead = from.target - from.eye;
-    const glm::vec3 side = glm::normalize(glm::cross(ahead, from.up));
-    const float pixel = 2 * std::tan(glm::radians(from.vfov_deg) / 2) / static_cast<float>(from.height);
+    const glm::dvec3 ahead = from.target - from.eye;
+    const glm::dvec3 side = glm::normalize(glm::cross(ahead, from.up));
+    const double pixel = 2 * std::tan(glm::radians(double{from.vfov_deg}) / 2) / from.height;
     from.target += side * (glm::length(ahead) * pixel / 2);
     return from;
 }

@@ -54,8 +54,8 @@ void run(const demo_options& options) {
     camera from = built_in_cameras().front();
     from.width = options.width;
     from.height = options.height;
-    make_directory(options.directory);
     vulkan::device device({.name = options.device});
+    make_directory(options.directory);
     fmt::print("device: {}\n", device.name());
 
     progress bar("tracing the truth");

@@ -26,7 +26,6 @@ struct reference_options {
 void run(const reference_options& options) {
     const mesh scene = options.scene.load();
     const camera from = options.scene.load_camera();
-    make_directory(options.directory);
     progress shown("tracing");
     truth_settings settings{.width = from.width,
                             .height = from.height,
@@ -39,6 +38,7 @@ void run(const reference_options& options) {
                                 return true;
                             }};
     const truth traced = trace_truth(scene, from, settings);
+    make_directory(options.directory);
     write_pfm(options.directory / "ao_hard.pfm", traced.ao_hard);
     write_pfm(options.directory / "ao_linear.pfm", traced.ao_linear);
     write_pfm(options.directory / "ao_quad.pfm", traced.ao_quad);

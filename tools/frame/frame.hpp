@@ -20,20 +20,21 @@ namespace crease::tools {
 
 /// What the rasteriser makes of a scene: the inputs of an effect, and the geometry for what else it captures.
 struct gbuffer {
-    view_parameters view; ///< the projection, the resolution and the guard band
+    camera from;
+    view_parameters view; ///< the projection, the resolution and the guard band, in the unit of what is drawn
     unsigned guard = 0;   ///< width of the guard band, texels
     geometry drawn;
-    std::vector<float> device;  ///< device depth, guard band included; 1 where there is background
+    std::vector<float> device;  ///< reversed device depth, guard band included; 0 where there is background
     std::vector<float> normals; ///< four a texel, guard band included: view space, unit, geometric, facing
                                 ///< the camera; 0 where there is background
-    image depth;  ///< of the picture: positive linear view depth; the camera's far plane where there is
-                  ///< background
+    image depth;  ///< of the picture: positive linear view depth, world units; the camera's far plane where
+                  ///< there is background
     image normal; ///< of the picture: the normals, 3 channels
 };
 
 /// Rasterises the scene, both sides of every triangle, at the camera's width and height and a guard band
 /// around.
-/// @throws vulkan::error
+/// @throws vulkan::error, scene_error
 gbuffer rasterise(vulkan::device& device, const mesh& scene, const camera& from, unsigned guard = 0);
 
 /// What a picture of an effect took.

@@ -1,25 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "frame/geometry.hpp"
 
-#include <glm/glm.hpp>
-#include <glm/gtc/matrix_transform.hpp>
+#include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace crease::tools {
 
 namespace {
 
+/// Device depth is near / depth, which must not fall to where 32-bit numbers lose bits.
+constexpr double least_depth = 0x1p-110;
+
 /// Three vertices of position and face normal for each triangle.
-std::vector<float> flat_vertices(const mesh& scene) {
+std::vector<float> flat_vertices(const eye_mesh& scene) {
     std::vector<float> numbers;
     numbers.reserve(scene.indices.size() * vulkan::mesh::numbers_per_vertex);
     for (std::size_t i = 0; i + 2 < scene.indices.size(); i += 3) {
         const glm::vec3 corners[] = {scene.positions[scene.indices[i]], scene.positions[scene.indices[i + 1]],
                                      scene.positions[scene.indices[i + 2]]};
-        const glm::vec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+        const glm::vec3 normal = normal_of(corners[0], corners[1], corners[2]);
         for (const glm::vec3& p : corners)
             numbers.insert(numbers.end(), {p.x, p.y, p.z, normal.x, normal.y, normal.z});
     }
@@ -28,15 +32,27 @@ std::vector<float> flat_vertices(const mesh& scene) {
 
 }
 
-std::shared_ptr<vulkan::mesh> upload_geometry(vulkan::device& device, const mesh& scene) {
+std::shared_ptr<vulkan::mesh> upload_geometry(vulkan::device& device, const eye_mesh& scene) {
     return std::make_shared<vulkan::mesh>(device, flat_vertices(scene));
 }
 
-glm::mat4 projection_matrix(const camera& from) {
-    glm::mat4 matrix = glm::perspectiveRH_ZO(glm::radians(from.vfov_deg),
-                                             static_cast<float>(from.width) / static_cast<float>(from.height),
-                                             from.near, from.far);
-    matrix[1][1] = -matrix[1][1];
+glm::mat4 projection_matrix(const camera& from, const eye_scale& scene) {
+    if (from.near < scene.farthest * least_depth)
+        throw scene_error(fmt::format(
+            "the camera '{}': near is {:.3g}, and a 32-bit depth buffer tells depths apart up to {:.3g} "
+            "times as far, but the scene reaches {:.3g}; near must be at least {:.3g}",
+            from.name, from.near, 1 / least_depth, scene.farthest, scene.farthest * least_depth));
+    // Beyond the scene, at 1 or 2, they may lie anywhere.
+    const double near = std::min(from.near / scene.unit, 0x1p60),
+                 far = std::min(from.far / scene.unit, 0x1p100);
+    const double down = std::tan(glm::radians(double{from.vfov_deg}) / 2),
+                 across = down * from.width / from.height;
+    glm::dmat4 matrix(0);
+    matrix[0][0] = 1 / across;
+    matrix[1][1] = -1 / down;
+    matrix[2][2] = near / (far - near);
+    matrix[2][3] = -1;
+    matrix[3][2] = near * far / (far - near);
     return matrix;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "scene/scene.hpp"
+#include "scene/eye_mesh.hpp"
 
 #include <crease/vulkan.hpp>
 
@@ -11,23 +11,28 @@
 
 namespace crease::tools {
 
-/// What the geometry's vertex shaders are pushed.
+/// What the geometry's vertex shaders are pushed; in the units of an `eye_mesh`.
 struct transforms {
-    glm::mat4 view_from_world, clip_from_view;
+    glm::mat4 view_from_eye; ///< from the world's axes at the first camera's eye
+    glm::mat4 clip_from_view;
 };
 
 /// A scene on the device, and how a camera draws it.
 struct geometry {
     std::shared_ptr<vulkan::mesh> triangles;
     transforms how;
+    eye_scale scale;
 };
 
 /// Positions and face normals of all triangles.
 /// @throws vulkan::error
-std::shared_ptr<vulkan::mesh> upload_geometry(vulkan::device& device, const mesh& scene);
+std::shared_ptr<vulkan::mesh> upload_geometry(vulkan::device& device, const eye_mesh& scene);
 
-/// View space to Vulkan's clip space, which points down.
-glm::mat4 projection_matrix(const camera& from);
+/// View space to Vulkan's clip space, which points down; in the units of the scene. Depth is reversed, 1 at
+/// near and 0 at far, as 32-bit numbers are finest at 0 and so equally fine, beside the distance, at every
+/// distance.
+/// @throws scene_error where near is too small beside the scene
+glm::mat4 projection_matrix(const camera& from, const eye_scale& scene);
 
 /// The view of a projection.
 /// @param projection  of the picture, without the guard band

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* vertex_glsl = R"glsl(#version 450
 layout(push_constant) uniform transforms {
-    mat4 view_from_world;
+    mat4 view_from_eye;
     mat4 clip_from_view;
 };
 layout(location = 0) in vec3 position;
@@ -21,9 +21,9 @@ layout(location = 0) out vec3 view_position;
 layout(location = 1) flat out vec3 view_normal;
 
 void main() {
-    vec4 seen = view_from_world * vec4(position, 1.0);
+    vec4 seen = view_from_eye * vec4(position, 1.0);
     view_position = seen.xyz;
-    view_normal = mat3(view_from_world) * normal;
+    view_normal = mat3(view_from_eye) * normal;
     gl_Position = clip_from_view * seen;
 }
 )glsl";
@@ -37,13 +37,16 @@ void main() { facing_normal = vec4(dot(view_normal, view_position) > 0.0 ? -view
 )glsl";
 
 /// The pictures within the guard band.
-void crop(gbuffer& made, const camera& from) {
+void crop(gbuffer& made) {
+    const camera& from = made.from;
     const std::size_t pitch = from.width + 2 * std::size_t{made.guard};
     for (std::size_t y = 0; y < from.height; ++y)
         for (std::size_t x = 0; x < from.width; ++x) {
             const std::size_t inside = y * from.width + x, whole = (y + made.guard) * pitch + x + made.guard;
             const float inverse = made.device[whole] * made.view.depth_unpack[0] + made.view.depth_unpack[1];
-            made.depth.texels[inside] = made.device[whole] == 1.0f ? from.far : 1 / inverse;
+            made.depth.texels[inside] = made.device[whole] == 0.0f
+                                            ? from.far
+                                            : static_cast<float>(made.drawn.scale.unit / double{inverse});
             for (std::size_t c = 0; c < 3; ++c)
                 made.normal.texels[3 * inside + c] = made.normals[4 * whole + c];
         }
@@ -52,7 +55,8 @@ void crop(gbuffer& made, const camera& from) {
 }
 
 gbuffer rasterise(vulkan::device& device, const mesh& scene, const camera& from, unsigned guard) {
-    const glm::mat4 projection = projection_matrix(from);
+    const eye_mesh seen = seen_from(from.eye, scene);
+    const glm::mat4 projection = projection_matrix(from, seen.scale);
     glm::mat4 wide = projection;
     float matrix[16];
     std::copy_n(glm::value_ptr(projection), 16, matrix);
@@ -65,11 +69,15 @@ gbuffer rasterise(vulkan::device& device, const mesh& scene, const camera& from,
                                   {.vertex = vertex,
                                    .fragment = fragment,
                                    .colours = colours,
-                                   .push_constant_bytes = sizeof(transforms)},
+                                   .push_constant_bytes = sizeof(transforms),
+                                   .reversed_depth = true},
                                   from.width + 2 * guard, from.height + 2 * guard);
-    gbuffer made{.view = view_of(projection, from.width, from.height, guard),
+    gbuffer made{.from = from,
+                 .view = view_of(projection, from.width, from.height, guard),
                  .guard = guard,
-                 .drawn = {upload_geometry(device, scene), {view_matrix(from), wide}},
+                 .drawn = {upload_geometry(device, seen),
+                           {glm::mat4(glm::mat3(view_rotation(from))), wide},
+                           seen.scale},
                  .device = {},
                  .normals = {},
                  .depth = image(from.width, from.height),
@@ -77,7 +85,7 @@ gbuffer rasterise(vulkan::device& device, const mesh& scene, const camera& from,
     rasteriser.draw(*made.drawn.triangles, std::as_bytes(std::span(&made.drawn.how, 1)));
     made.device = vulkan::download(device, rasteriser.depth());
     made.normals = vulkan::download(device, rasteriser.colour(0));
-    crop(made, from);
+    crop(made);
     return made;
 }
 

@@ -7,6 +7,7 @@
 
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -19,22 +20,22 @@ namespace {
 
 constexpr const char* vertex_glsl = R"glsl(#version 450
 layout(push_constant) uniform transforms {
-    mat4 view_from_world;
+    mat4 view_from_eye;
     mat4 clip_from_view;
 };
 layout(location = 0) in vec3 position;
-layout(location = 0) out vec3 world_position;
+layout(location = 0) out vec3 anchor;
 
 void main() {
-    world_position = position;
-    gl_Position = clip_from_view * (view_from_world * vec4(position, 1.0));
+    anchor = position;
+    gl_Position = clip_from_view * (view_from_eye * vec4(position, 1.0));
 }
 )glsl";
 
 constexpr const char* fragment_glsl = R"glsl(
-layout(location = 0) in vec3 world_position;
+layout(location = 0) in vec3 anchor;
 
-void main() { crease_capture(world_position); }
+void main() { crease_capture(anchor); }
 )glsl";
 
 void upload_inputs(vulkan::runner& runner, const effect_view& effect, const gbuffer& inputs) {
@@ -58,12 +59,20 @@ void upload_inputs(vulkan::runner& runner, const effect_view& effect, const gbuf
 /// The second camera's place: that of the options, or beside the first and turned to the middle of what it
 /// sees.
 void place_second(parameters& how, const gbuffer& inputs, const frame_options& options) {
+    const double unit = inputs.drawn.scale.unit;
     if (options.second) {
-        const glm::mat4 turn = view_matrix(*options.second) * glm::inverse(inputs.drawn.how.view_from_world);
-        std::copy_n(glm::value_ptr(turn), 16, how.second_from_first);
+        const glm::dmat3 rotation = view_rotation(*options.second);
+        glm::dmat4 turn(rotation * glm::transpose(view_rotation(inputs.from)));
+        turn[3] = glm::dvec4(rotation * ((inputs.from.eye - options.second->eye) / unit), 1);
+        const glm::mat4 rounded(turn);
+        std::copy_n(glm::value_ptr(rounded), 16, how.second_from_first);
         return;
     }
-    const float middle = median(inputs.depth.texels);
+    std::vector<float> seen;
+    for (std::size_t i = 0; i < inputs.depth.texels.size(); ++i)
+        if (inputs.depth.texels[i] < inputs.from.far)
+            seen.push_back(static_cast<float>(inputs.depth.texels[i] / unit));
+    const float middle = seen.empty() ? 1 : median(seen);
     place_second_camera(how, middle / 4, middle / 4, middle);
 }
 
@@ -95,7 +104,7 @@ transforms transforms_of(const capture& which, parameters& how, const gbuffer& i
     how.second_view = view_of(projection, width, height);
     glm::mat4 turn;
     std::copy_n(how.second_from_first, 16, glm::value_ptr(turn));
-    return {turn * inputs.drawn.how.view_from_world, projection};
+    return {turn * inputs.drawn.how.view_from_eye, projection};
 }
 
 }
@@ -130,6 +139,7 @@ prepared_effect::prepared_effect(vulkan::device& device, const recipe& wanted, c
         effect.passes.back().dialect != dialect_kind::vulkan)
         throw std::runtime_error("a recipe that is run is of programs in the vulkan dialect");
     how_.view = inputs.view;
+    how_.radius = inputs.drawn.scale.radius(options.radius);
     if (effect.captures.size() > 1)
         place_second(how_, inputs, options);
     runner_ = std::make_unique<vulkan::runner>(
@@ -145,10 +155,11 @@ void prepared_effect::prepare_captures(vulkan::device& device) {
     for (std::size_t i = 0; i < effect.captures.size(); ++i) {
         const transforms pushed = transforms_of(effect.captures[i], how_, inputs_, i == 1);
         captures_.push_back(
-            {std::make_unique<vulkan::capturer>(
-                 device, effect, i, *runner_,
-                 vulkan::geometry_shaders{
-                     .vertex = vertex, .fragment = fragment, .push_constant_bytes = sizeof pushed}),
+            {std::make_unique<vulkan::capturer>(device, effect, i, *runner_,
+                                                vulkan::geometry_shaders{.vertex = vertex,
+                                                                         .fragment = fragment,
+                                                                         .push_constant_bytes = sizeof pushed,
+                                                                         .reversed_depth = true}),
              pushed});
     }
 }

@@ -3,12 +3,14 @@
 #include "scene/scene.hpp"
 
 #include <fmt/format.h>
-#include <glm/ext/matrix_transform.hpp>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 namespace crease::tools {
@@ -17,6 +19,12 @@ namespace {
 using nlohmann::json;
 
 constexpr unsigned longest_picture_side = 16384;
+
+/// The unit vector along `v`, however long that is; NaN where it is 0.
+glm::dvec3 direction_of(const glm::dvec3& v) {
+    const glm::dvec3 size = glm::abs(v);
+    return glm::normalize(v / std::max({size.x, size.y, size.z}));
+}
 
 /// Reads the fields of one camera; every complaint names the file, the camera and the field.
 class camera_reader {
@@ -58,20 +66,31 @@ private:
         return v.get<std::string>();
     }
 
-    float finite(const json& v, const char* field, std::string_view sentence) const {
+    double number_up_to(double most, const json& v, const char* field, std::string_view sentence) const {
         require(v.is_number(), field, sentence);
-        const auto n = v.get<float>();
-        require(std::isfinite(n), field, sentence);
+        const auto n = v.get<double>();
+        require(std::abs(n) <= most, field, sentence); // false for NaN
         return n;
     }
 
-    float number(const char* field) const { return finite(value(field), field, "must be a finite number"); }
+    float number(const char* field) const {
+        using limits = std::numeric_limits<float>;
+        const std::string sentence =
+            fmt::format("must be a number, 0 or {:.2g} to {:.2g} in size", limits::min(), limits::max());
+        const double n = number_up_to(limits::max(), value(field), field, sentence);
+        require(n == 0 || std::abs(n) >= limits::min(), field, sentence);
+        return static_cast<float>(n);
+    }
 
-    glm::vec3 vector(const char* field) const {
-        constexpr std::string_view sentence = "must be three finite numbers, [x, y, z]";
+    glm::dvec3 vector(const char* field) const {
+        const std::string sentence = fmt::format("must be three numbers, [x, y, z], each from {0:g} to {1:g}",
+                                                 -farthest_coordinate, farthest_coordinate);
         const json& v = value(field);
         require(v.is_array() && v.size() == 3, field, sentence);
-        return {finite(v[0], field, sentence), finite(v[1], field, sentence), finite(v[2], field, sentence)};
+        glm::dvec3 read;
+        for (unsigned i = 0; i < 3; ++i)
+            read[static_cast<int>(i)] = number_up_to(farthest_coordinate, v[i], field, sentence);
+        return read;
     }
 
     unsigned side(const char* field) const {
@@ -83,10 +102,9 @@ private:
     }
 
     void check(const camera& c) const {
-        const glm::dvec3 forward = glm::dvec3(c.target) - glm::dvec3(c.eye), up(c.up);
-        require(forward != glm::dvec3(0), "target", "must differ from \"eye\"");
-        require(up != glm::dvec3(0), "up", "must not be [0, 0, 0]");
-        require(glm::length(glm::cross(glm::normalize(forward), glm::normalize(up))) > 1e-4, "up",
+        require(c.target != c.eye, "target", "must differ from \"eye\"");
+        require(c.up != glm::dvec3(0), "up", "must not be [0, 0, 0]");
+        require(glm::length(glm::cross(direction_of(c.target - c.eye), direction_of(c.up))) > 1e-4, "up",
                 "must not be parallel to the view, from \"eye\" to \"target\"");
         require(c.vfov_deg > 0 && c.vfov_deg < 180, "vfov_deg", "must be between 0 and 180, both excluded");
         require(c.near > 0, "near", "must be greater than 0");
@@ -138,8 +156,16 @@ const camera& find_camera(std::span<const camera> cameras, std::string_view name
     throw scene_error(fmt::format("there is no camera '{}'; there are: {}", name, names));
 }
 
-glm::mat4 view_matrix(const camera& from) {
-    return glm::lookAt(from.eye, from.target, from.up);
+glm::dmat3 view_rotation(const camera& from) {
+    const glm::dvec3 ahead = direction_of(from.target - from.eye);
+    const glm::dvec3 right = direction_of(glm::cross(ahead, direction_of(from.up)));
+    return glm::transpose(glm::dmat3(right, glm::cross(right, ahead), -ahead));
+}
+
+glm::dmat4 view_matrix(const camera& from) {
+    glm::dmat4 view(view_rotation(from));
+    view[3] = glm::dvec4(glm::dmat3(view) * -from.eye, 1);
+    return view;
 }
 
 }

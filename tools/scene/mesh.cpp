@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "image/file.hpp"
+#include "scene/gltf_nodes.hpp"
 #include "scene/scene.hpp"
 
 #include <assimp/BaseImporter.h>
@@ -36,34 +38,53 @@ void check_extension(std::string_view extension, std::string_view name) {
             fmt::format("{}: cannot read '.{}' scenes; use .glb, .gltf or .obj", name, extension));
 }
 
-bool is_finite(const glm::vec3& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+bool is_near_enough(const glm::dvec3& p) {
+    const auto holds = [](double x) { return std::abs(x) <= farthest_coordinate; }; // false for NaN
+    return holds(p.x) && holds(p.y) && holds(p.z);
+}
+
+glm::dmat4 transform_of(const aiNode& node) {
+    glm::dmat4 columns;
+    for (unsigned row = 0; row < 4; ++row)
+        for (unsigned column = 0; column < 4; ++column)
+            columns[static_cast<int>(column)][static_cast<int>(row)] = node.mTransformation[row][column];
+    return columns;
 }
 
 /// Collects the meshes of an imported scene into one.
 class collector {
 public:
-    explicit collector(std::string_view name) : name_(name) {}
+    /// @param written  the nodes of the file, where it is a glTF
+    collector(std::string_view name, const gltf_nodes& written) : name_(name), written_(written) {}
 
-    void add(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent) {
-        const aiMatrix4x4 world = parent * node.mTransformation;
-        for (unsigned i = 0; i < node.mNumMeshes; ++i)
-            add(*scene.mMeshes[node.mMeshes[i]], world);
-        for (unsigned i = 0; i < node.mNumChildren; ++i)
-            add(scene, *node.mChildren[i], world);
+    void add(const aiScene& scene) {
+        const gltf_nodes::node top = written_.top();
+        add(scene, *scene.mRootNode, written_.roots.empty() ? nullptr : &top, glm::dmat4(1));
     }
 
     mesh take() { return std::move(result_); }
 
 private:
-    void add(const aiMesh& part, const aiMatrix4x4& world) {
+    /// @param written  the same node in the file; null where it is not known
+    void add(const aiScene& scene, const aiNode& node, const gltf_nodes::node* written,
+             const glm::dmat4& parent) {
+        if (written && written->children.size() != node.mNumChildren)
+            written = nullptr;
+        const glm::dmat4 world = parent * (written ? written->to_parent : transform_of(node));
+        for (unsigned i = 0; i < node.mNumMeshes; ++i)
+            add(*scene.mMeshes[node.mMeshes[i]], world);
+        for (unsigned i = 0; i < node.mNumChildren; ++i)
+            add(scene, *node.mChildren[i], written ? &written_.all[written->children[i]] : nullptr, world);
+    }
+
+    void add(const aiMesh& part, const glm::dmat4& world) {
         const std::size_t first = result_.positions.size();
         if (first + part.mNumVertices > most_vertices)
             throw scene_error(
                 fmt::format("{}: has more than {} vertices; simplify it", name_, most_vertices));
         for (unsigned i = 0; i < part.mNumVertices; ++i) {
-            const aiVector3D p = world * part.mVertices[i];
-            result_.positions.emplace_back(p.x, p.y, p.z);
+            const aiVector3D& p = part.mVertices[i];
+            result_.positions.emplace_back(world * glm::dvec4(p.x, p.y, p.z, 1));
         }
         for (unsigned i = 0; i < part.mNumFaces; ++i)
             if (part.mFaces[i].mNumIndices == 3)
@@ -79,13 +100,14 @@ private:
                                 face.mIndices[i], vertices));
             triangle[i] = static_cast<std::uint32_t>(first + face.mIndices[i]);
         }
-        const glm::dvec3 a(result_.positions[triangle[0]]), b(result_.positions[triangle[1]]),
-            c(result_.positions[triangle[2]]);
+        const glm::dvec3 a = result_.positions[triangle[0]], b = result_.positions[triangle[1]],
+                         c = result_.positions[triangle[2]];
         if (glm::cross(b - a, c - a) != glm::dvec3(0)) // true for NaN, which check_mesh reports
             result_.indices.insert(result_.indices.end(), triangle.begin(), triangle.end());
     }
 
     std::string name_;
+    const gltf_nodes& written_;
     mesh result_;
 };
 
@@ -125,9 +147,10 @@ private:
     bool dropped_ = false;
 };
 
-/// @param read what reads the scene with an importer
+/// @param gltf  the bytes of the file, where it is a glTF
+/// @param read  what reads the scene with an importer
 template <typename Read>
-mesh import(std::string_view name, Read read) {
+mesh import(std::string_view gltf, std::string_view name, Read read) {
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, unused_components);
     keep_known_formats(importer);
@@ -139,8 +162,9 @@ mesh import(std::string_view name, Read read) {
     if (log.dropped())
         throw scene_error(
             fmt::format("{}: a triangle uses a vertex that its mesh does not have; export it again", name));
-    collector all(name);
-    all.add(*scene, *scene->mRootNode, aiMatrix4x4());
+    const gltf_nodes written = read_gltf_nodes(gltf);
+    collector all(name, written);
+    all.add(*scene);
     mesh result = all.take();
     check_mesh(result, name);
     return result;
@@ -154,10 +178,11 @@ void check_mesh(const mesh& scene, std::string_view name) {
     if (scene.indices.size() % 3 != 0)
         throw scene_error(
             fmt::format("{}: has {} indices, which is not a multiple of 3", name, scene.indices.size()));
-    const auto broken = std::find_if_not(scene.positions.begin(), scene.positions.end(), is_finite);
+    const auto broken = std::find_if_not(scene.positions.begin(), scene.positions.end(), is_near_enough);
     if (broken != scene.positions.end())
-        throw scene_error(fmt::format("{}: the position of vertex {} is not finite; export it again", name,
-                                      broken - scene.positions.begin()));
+        throw scene_error(
+            fmt::format("{}: the position of vertex {} is not finite, or beyond {:g}; export it again", name,
+                        broken - scene.positions.begin(), farthest_coordinate));
     const std::uint32_t last = *std::max_element(scene.indices.begin(), scene.indices.end());
     if (last >= scene.positions.size())
         throw scene_error(fmt::format("{}: a triangle uses vertex {} of a mesh that has {}; export it again",
@@ -169,15 +194,18 @@ mesh load_mesh(const std::filesystem::path& path) {
     check_extension(extension.empty() ? extension : extension.substr(1), path.string());
     if (!std::filesystem::is_regular_file(path))
         throw scene_error(fmt::format("{}: no such file", path.string()));
-    return import(path.string(),
+    const bool is_gltf = extension != ".obj";
+    return import(is_gltf ? read_file(path) : std::string(), path.string(),
                   [&](Assimp::Importer& importer) { return importer.ReadFile(path.string(), import_steps); });
 }
 
 mesh parse_mesh(std::string_view bytes, std::string_view extension, std::string_view name) {
     check_extension(extension, name);
-    return import(name, [&, hint = std::string(extension)](Assimp::Importer& importer) {
-        return importer.ReadFileFromMemory(bytes.data(), bytes.size(), import_steps, hint.c_str());
-    });
+    return import(extension == "obj" ? std::string_view() : bytes, name,
+                  [&, hint = std::string(extension)](Assimp::Importer& importer) {
+                      return importer.ReadFileFromMemory(bytes.data(), bytes.size(), import_steps,
+                                                         hint.c_str());
+                  });
 }
 
 }

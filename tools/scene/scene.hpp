@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
@@ -19,22 +20,25 @@ struct scene_error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// No coordinate may be farther from 0, so that squares and products of coordinates stay finite.
+inline constexpr double farthest_coordinate = 1e30;
+
 /// Triangles in world space: every one opaque and two-sided.
 struct mesh {
-    std::vector<glm::vec3> positions;   ///< world space, finite
+    std::vector<glm::dvec3> positions;  ///< world space, none beyond `farthest_coordinate`
     std::vector<std::uint32_t> indices; ///< three a triangle
 
     std::size_t triangles() const { return indices.size() / 3; }
 };
 
-/// @throws scene_error where `scene` has no triangle, a position that is not finite, or an index out of
-/// range;
+/// @throws scene_error where `scene` has no triangle, a position that is not finite or too far from 0, or an
+/// index out of range;
 ///         `name` is what the message calls it
 void check_mesh(const mesh& scene, std::string_view name);
 
 /// Reads .glb, .gltf (2.0) or .obj: all meshes of the scene, node transforms applied, polygons triangulated;
 /// points, lines, triangles without area, materials and animations are left out.
-/// @throws scene_error
+/// @throws scene_error; file_error
 mesh load_mesh(const std::filesystem::path& path);
 
 /// As `load_mesh`, from memory and of one self-contained file.
@@ -46,7 +50,7 @@ mesh parse_mesh(std::string_view bytes, std::string_view extension, std::string_
 /// A perspective camera. World units; right-handed; view space looks down -Z with +Y up.
 struct camera {
     std::string name;
-    glm::vec3 eye{0}, target{0, 0, -1}, up{0, 1, 0};
+    glm::dvec3 eye{0}, target{0, 0, -1}, up{0, 1, 0};
     float vfov_deg = 60;                 ///< vertical field of view, in (0, 180)
     float near = 0.1f;                   ///< > 0
     float far = 100;                     ///< > near
@@ -65,8 +69,11 @@ std::vector<camera> parse_cameras(std::string_view json, std::string_view name);
 /// @throws scene_error that lists the names there are
 const camera& find_camera(std::span<const camera> cameras, std::string_view name);
 
+/// World space to view space, directions alone.
+glm::dmat3 view_rotation(const camera& from);
+
 /// World space to view space.
-glm::mat4 view_matrix(const camera& from);
+glm::dmat4 view_matrix(const camera& from);
 
 /// A courtyard that shows what ambient occlusion meets: an inner corner, stairs, an arcade, thin bars before
 /// a wall, curved and slanted surfaces, open sky, and a pillar that hides occluders from the first camera.

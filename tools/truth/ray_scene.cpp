@@ -41,7 +41,7 @@ float largest_coordinate(const glm::dvec3& p) {
 
 }
 
-ray_scene::ray_scene(const mesh& source) : source_(source), device_(rtcNewDevice(nullptr)) {
+ray_scene::ray_scene(eye_mesh source) : source_(std::move(source)), device_(rtcNewDevice(nullptr)) {
     if (!device_)
         throw truth_error("Embree finds no device to trace on");
     scene_.reset(rtcNewScene(device_.get()));
@@ -50,13 +50,13 @@ ray_scene::ray_scene(const mesh& source) : source_(source), device_(rtcNewDevice
     const std::unique_ptr<RTCGeometryTy, decltype(&rtcReleaseGeometry)> geometry(
         rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE), &rtcReleaseGeometry);
     void* positions = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                              sizeof(glm::vec3), source.positions.size());
+                                              sizeof(glm::vec3), source_.positions.size());
     void* indices = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                            3 * sizeof(std::uint32_t), source.triangles());
+                                            3 * sizeof(std::uint32_t), source_.triangles());
     if (!positions || !indices)
         throw truth_error("not enough memory to trace this scene");
-    std::memcpy(positions, source.positions.data(), source.positions.size() * sizeof(glm::vec3));
-    std::memcpy(indices, source.indices.data(), source.indices.size() * sizeof(std::uint32_t));
+    std::memcpy(positions, source_.positions.data(), source_.positions.size() * sizeof(glm::vec3));
+    std::memcpy(indices, source_.indices.data(), source_.indices.size() * sizeof(std::uint32_t));
     rtcCommitGeometry(geometry.get());
     rtcAttachGeometry(scene_.get(), geometry.get());
     rtcCommitScene(scene_.get());
@@ -76,7 +76,7 @@ std::optional<ray_scene::surface> ray_scene::first_hit(const glm::vec3& origin, 
     const glm::dvec3 edge_u = corner[1] - corner[0], edge_v = corner[2] - corner[0];
     // From the barycentric coordinates, as origin + t * direction misses the plane by the error of t.
     const glm::dvec3 position = corner[0] + double{ray.hit.u} * edge_u + double{ray.hit.v} * edge_v;
-    glm::dvec3 normal = glm::normalize(glm::cross(edge_u, edge_v));
+    glm::dvec3 normal = normal_of(corner[0], corner[1], corner[2]);
     if (glm::dot(normal, glm::dvec3(direction)) > 0)
         normal = -normal;
     // The ray's own plane is missed by some roundings of the position, and of the corners as seen from it.

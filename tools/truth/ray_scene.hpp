@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "scene/scene.hpp"
+#include "scene/eye_mesh.hpp"
 
 #include <embree3/rtcore.h>
 
@@ -11,7 +11,7 @@
 
 namespace crease::tools {
 
-/// The triangles of a mesh, ready to be hit by rays. Safe to use from many threads.
+/// The triangles of a mesh, ready to be hit by rays; all in its units. Safe to use from many threads.
 class ray_scene {
 public:
     struct surface {
@@ -20,8 +20,7 @@ public:
         float offset;       ///< how far along the normal a ray must begin to miss its own surface
     };
 
-    /// @param source must outlive this, and pass `check_mesh`
-    explicit ray_scene(const mesh& source);
+    explicit ray_scene(eye_mesh source);
 
     /// What origin + t * direction meets first, with t in [nearest, farthest].
     std::optional<surface> first_hit(const glm::vec3& origin, const glm::vec3& direction, float nearest,
@@ -37,7 +36,7 @@ private:
         void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
     };
 
-    const mesh& source_;
+    eye_mesh source_;
     std::unique_ptr<RTCDeviceTy, release> device_;
     std::unique_ptr<RTCSceneTy, release> scene_;
 };

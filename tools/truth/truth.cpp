@@ -70,8 +70,9 @@ glm::vec3 cosine_direction(const glm::dvec2& point) {
 /// Traces single texels into the images of a truth; texels may be traced at the same time.
 class texel_tracer {
 public:
-    texel_tracer(const mesh& scene, const camera& from, const truth_settings& settings, truth& result)
-        : scene_(scene), camera_(from), settings_(settings), result_(result), view_(view_matrix(from)),
+    texel_tracer(eye_mesh scene, const camera& from, const truth_settings& settings, truth& result)
+        : unit_(scene.scale.unit), radius_(scene.scale.radius(settings.radius)), scene_(std::move(scene)),
+          camera_(from), settings_(settings), result_(result), view_(view_rotation(from)),
           half_height_(std::tan(glm::radians(double{from.vfov_deg}) / 2)),
           half_width_(half_height_ * settings.width / settings.height) {}
 
@@ -80,19 +81,23 @@ public:
         const glm::dvec3 through(half_width_ * (2 * (x + 0.5) / settings_.width - 1),
                                  half_height_ * (1 - 2 * (y + 0.5) / settings_.height), -1);
         // Left at length 1 along the view, so that the ray's parameter is the view depth.
-        const glm::vec3 direction(glm::transpose(glm::dmat3(view_)) * through);
-        const auto hit = scene_.first_hit(camera_.eye, direction, camera_.near, camera_.far);
+        const glm::vec3 direction(glm::transpose(view_) * through);
+        const auto hit =
+            scene_.first_hit(glm::vec3(0), direction, depth_of(camera_.near), depth_of(camera_.far));
         if (!hit)
             return;
-        result_.depth.at(x, y) = -(view_ * glm::vec4(hit->position, 1)).z;
-        const glm::vec3 normal = glm::normalize(glm::mat3(view_) * hit->normal);
+        result_.depth.at(x, y) = static_cast<float>(-(view_ * glm::dvec3(hit->position)).z * unit_);
+        const glm::vec3 normal = glm::normalize(view_ * glm::dvec3(hit->normal));
         for (unsigned c = 0; c < 3; ++c)
             result_.normal.at(x, y, c) = normal[static_cast<int>(c)];
-        if (gathers && settings_.radius > 0)
+        if (gathers && radius_ > 0)
             gather(x, y, *hit);
     }
 
 private:
+    /// A depth of the world in the units of the scene, as far as 32 bits hold it.
+    float depth_of(float in_world) const { return static_cast<float>(std::min(in_world / unit_, 0x1p100)); }
+
     void gather(unsigned x, unsigned y, const ray_scene::surface& at) const {
         const lattice points(settings_.rays, x, y, settings_.seed);
         const glm::mat3 frame = frame_around(at.normal);
@@ -101,8 +106,8 @@ private:
         glm::dvec3 open(0);
         for (unsigned i = 0; i < settings_.rays; ++i) {
             const glm::vec3 direction = frame * cosine_direction(points(i));
-            const float distance = scene_.distance(origin, direction, settings_.radius);
-            const double d = distance / double{settings_.radius};
+            const float distance = scene_.distance(origin, direction, radius_);
+            const double d = distance / double{radius_};
             open += glm::dvec3(direction) * std::min(d, 1.0);
             if (d > 1)
                 continue;
@@ -115,7 +120,7 @@ private:
         if (open != glm::dvec3(0))
             for (unsigned c = 0; c < 3; ++c)
                 result_.bent.at(x, y, c) =
-                    (glm::mat3(view_) * glm::vec3(glm::normalize(open)))[static_cast<int>(c)];
+                    static_cast<float>((view_ * glm::normalize(open))[static_cast<int>(c)]);
         if (settings_.first_layer)
             result_.ao_first_layer.at(x, y) = static_cast<float>(1 - seen / settings_.rays);
         result_.ao_hard.at(x, y) = static_cast<float>(1 - hard / settings_.rays);
@@ -125,21 +130,23 @@ private:
 
     /// Whether no surface hides a point from the camera; what lies outside the picture counts as seen.
     bool is_seen(const glm::vec3& point) const {
-        const glm::dvec3 at(view_ * glm::vec4(point, 1));
+        const glm::dvec3 at = view_ * glm::dvec3(point);
         const double x = (at.x / -at.z / half_width_ + 1) / 2 * settings_.width,
                      y = (1 - at.y / -at.z / half_height_) / 2 * settings_.height;
         if (!(at.z < 0 && x >= 0 && y >= 0 && x < settings_.width && y < settings_.height))
             return true;
         // A surface that is hidden by less than this is only a neighbour's slope.
         const double slack = 0.1 * settings_.radius;
-        return -at.z <= result_.depth.at(static_cast<unsigned>(x), static_cast<unsigned>(y)) + slack;
+        return -at.z * unit_ <= result_.depth.at(static_cast<unsigned>(x), static_cast<unsigned>(y)) + slack;
     }
 
+    double unit_;  ///< of the scene, world units
+    float radius_; ///< in that unit
     ray_scene scene_;
     const camera& camera_;
     const truth_settings& settings_;
     truth& result_;
-    glm::mat4 view_;
+    glm::dmat3 view_;
     double half_height_, half_width_; ///< of the picture, at depth 1
 };
 
@@ -187,7 +194,7 @@ truth trace_truth(const mesh& scene, const camera& from, const truth_settings& s
     result.normal = result.bent = image(settings.width, settings.height, 3);
     if (settings.first_layer)
         result.ao_first_layer = result.ao_linear;
-    const texel_tracer tracer(scene, from, settings, result);
+    const texel_tracer tracer(seen_from(from.eye, scene), from, settings, result);
     const auto all_texels = [&](bool gathers) {
         return for_each_row(settings, [&](unsigned y) {
             for (unsigned x = 0; x < settings.width; ++x)

@@ -15,8 +15,8 @@ TEST_CASE("built-in scene: sound, with a triangle count as documented") {
     CHECK(scene.triangles() > 5000);
     CHECK(scene.triangles() < 20000);
     for (std::size_t i = 0; i < scene.indices.size(); i += 3) {
-        const glm::dvec3 a(scene.positions[scene.indices[i]]), b(scene.positions[scene.indices[i + 1]]),
-            c(scene.positions[scene.indices[i + 2]]);
+        const glm::dvec3 a = scene.positions[scene.indices[i]], b = scene.positions[scene.indices[i + 1]],
+                         c = scene.positions[scene.indices[i + 2]];
         REQUIRE(glm::length(glm::cross(b - a, c - a)) > 1e-7);
     }
 }

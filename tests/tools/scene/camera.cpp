@@ -27,9 +27,9 @@ TEST_CASE("camera: every field is read") {
     REQUIRE(list.size() == 1);
     const camera& a = list[0];
     CHECK(a.name == "a");
-    CHECK(a.eye == glm::vec3(1, 2, 3));
-    CHECK(a.target == glm::vec3(1, 2, -7));
-    CHECK(a.up == glm::vec3(0, 1, 0));
+    CHECK(a.eye == glm::dvec3(1, 2, 3));
+    CHECK(a.target == glm::dvec3(1, 2, -7));
+    CHECK(a.up == glm::dvec3(0, 1, 0));
     CHECK(a.vfov_deg == 40);
     CHECK(a.near == 0.5f);
     CHECK(a.far == 50);
@@ -60,9 +60,12 @@ TEST_CASE("camera: a broken list is refused with the camera, the field and the r
         expect(a + "\"" + field + "\" must be",
                camera_json("\"" + field + "\":", "\"" + field + "\": null, \"other\":"));
     }
-    expect(a + "\"eye\" must be three finite numbers", camera_json("[1, 2, 3]", "[1, 2]"));
-    expect(a + "\"eye\" must be three finite numbers", camera_json("[1, 2, 3]", "[1, 2, \"3\"]"));
-    expect(a + "\"eye\" must be three finite numbers", camera_json("[1, 2, 3]", "[1, 2, 1e300]"));
+    expect(a + "\"eye\" must be three numbers, [x, y, z], each from -1e+30 to 1e+30",
+           camera_json("[1, 2, 3]", "[1, 2]"));
+    expect(a + "\"eye\" must be three numbers, [x, y, z], each from -1e+30 to 1e+30",
+           camera_json("[1, 2, 3]", "[1, 2, \"3\"]"));
+    expect(a + "\"eye\" must be three numbers, [x, y, z], each from -1e+30 to 1e+30",
+           camera_json("[1, 2, 3]", "[1, 2, 1e300]"));
     expect(a + "\"target\" must differ from \"eye\"", camera_json("[1, 2, -7]", "[1, 2, 3]"));
     expect(a + "\"up\" must not be [0, 0, 0]", camera_json("[0, 1, 0]", "[0, 0, 0]"));
     expect(a + "\"up\" must not be parallel", camera_json("[0, 1, 0]", "[0, 0, 3]"));
@@ -94,10 +97,11 @@ TEST_CASE("camera: the view looks down -Z with +Y up") {
     camera from;
     from.eye = {5, 1, 2};
     from.target = {9, 1, 2}; // along +X, so that +Z is to the right
-    const glm::mat4 view = view_matrix(from);
-    const auto seen = [&](float x, float y, float z) { return glm::vec3(view * glm::vec4(x, y, z, 1)); };
-    CHECK(glm::distance(seen(5, 1, 2), {0, 0, 0}) < 1e-6f);
-    CHECK(glm::distance(seen(8, 1, 2), {0, 0, -3}) < 1e-6f);
-    CHECK(glm::distance(seen(5, 2, 2), {0, 1, 0}) < 1e-6f);
-    CHECK(glm::distance(seen(5, 1, 4), {2, 0, 0}) < 1e-6f);
+    const glm::dmat4 view = view_matrix(from);
+    const auto seen = [&](double x, double y, double z) { return glm::dvec3(view * glm::dvec4(x, y, z, 1)); };
+    CHECK(glm::distance(seen(5, 1, 2), {0, 0, 0}) <= 4e-16);
+    CHECK(glm::distance(seen(8, 1, 2), {0, 0, -3}) <= 4e-16);
+    CHECK(glm::distance(seen(5, 2, 2), {0, 1, 0}) <= 4e-16);
+    CHECK(glm::distance(seen(5, 1, 4), {2, 0, 0}) <= 4e-16);
+    CHECK(view_rotation(from) == glm::dmat3(view));
 }

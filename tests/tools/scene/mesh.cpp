@@ -61,8 +61,8 @@ mesh parse(const glb_parts& parts) {
 }
 
 /// The corners in the order of the triangles.
-std::vector<glm::vec3> corners(const mesh& scene) {
-    std::vector<glm::vec3> result;
+std::vector<glm::dvec3> corners(const mesh& scene) {
+    std::vector<glm::dvec3> result;
     for (const std::uint32_t i : scene.indices)
         result.push_back(scene.positions[i]);
     return result;
@@ -71,7 +71,7 @@ std::vector<glm::vec3> corners(const mesh& scene) {
 }
 
 TEST_CASE("mesh: a glb, from memory and from a file") {
-    const std::vector<glm::vec3> expected{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const std::vector<glm::dvec3> expected{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     CHECK(corners(parse({})) == expected);
     const temporary_folder folder;
     CHECK(corners(load_mesh(folder.put("a.glb", make_glb({})))) == expected);
@@ -82,12 +82,27 @@ TEST_CASE("mesh: node transforms multiply up to the root, and a mesh may stand t
     parts.indices = {0, 1, 2};
     parts.nodes = R"([{"children": [1, 2], "translation": [10, 0, 0]}, {"mesh": 0, "scale": [2, 3, 4]},
                       {"mesh": 0, "rotation": [0, 0, 1, 0]}])"; // half a turn around Z
-    const std::vector<glm::vec3> expected{{10, 0, 0}, {12, 0, 0}, {10, 3, 0},
-                                          {10, 0, 0}, {9, 0, 0},  {10, -1, 0}};
-    const std::vector<glm::vec3> found = corners(parse(parts));
+    const std::vector<glm::dvec3> expected{{10, 0, 0}, {12, 0, 0}, {10, 3, 0},
+                                           {10, 0, 0}, {9, 0, 0},  {10, -1, 0}};
+    const std::vector<glm::dvec3> found = corners(parse(parts));
     REQUIRE(found.size() == expected.size());
     for (std::size_t i = 0; i < found.size(); ++i)
-        CHECK(glm::distance(found[i], expected[i]) < 1e-5f);
+        CHECK(glm::distance(found[i], expected[i]) <= 4e-15);
+}
+
+TEST_CASE("mesh: nodes far from the origin keep the places that the file gives them") {
+    glb_parts parts;
+    parts.indices = {0, 1, 2};
+    parts.scene_nodes = "[0, 1]";
+    parts.nodes = R"([{"children": [2], "translation": [6400000.1, 0, -100000.3]},
+                      {"mesh": 0, "translation": [6400000.2, 0, 0]}, {"mesh": 0, "translation": [0.0625, 0, 0.25]}])";
+    const double x = 6400000.1 + 0.0625, z = -100000.3 + 0.25;
+    const std::vector<glm::dvec3> expected{{x, 0, z},         {x + 1, 0, z},         {x, 1, z},
+                                           {6400000.2, 0, 0}, {6400000.2 + 1, 0, 0}, {6400000.2, 1, 0}};
+    const std::vector<glm::dvec3> found = corners(parse(parts));
+    REQUIRE(found.size() == expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+        CHECK(glm::distance(found[i], expected[i]) <= 2e-9); // two roundings at 6.4e6
 }
 
 TEST_CASE("mesh: an obj, its polygons in triangles") {
@@ -95,8 +110,8 @@ TEST_CASE("mesh: an obj, its polygons in triangles") {
     const mesh square =
         load_mesh(folder.put("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nmtllib absent.mtl\nf 1 2 3 4\n"));
     CHECK(square.triangles() == 2);
-    float area = 0;
-    const std::vector<glm::vec3> c = corners(square);
+    double area = 0;
+    const std::vector<glm::dvec3> c = corners(square);
     for (std::size_t i = 0; i < c.size(); i += 3)
         area += glm::length(glm::cross(c[i + 1] - c[i], c[i + 2] - c[i])) / 2;
     CHECK(area == 1);
@@ -127,8 +142,10 @@ TEST_CASE("mesh: broken scenes") {
     }
     parts = {};
     parts.nodes =
-        R"([{"mesh": 0, "scale": [3e38, 3e38, 3e38], "children": [1]}, {"mesh": 0, "scale": [9, 9, 9]}])";
-    expect_error<scene_error>("is not finite", [&] { parse(parts); });
+        R"([{"mesh": 0, "scale": [9e29, 9e29, 9e29], "children": [1]}, {"mesh": 0, "scale": [9, 9, 9]}])";
+    expect_error<scene_error>(
+        "memory: the position of vertex 5 is not finite, or beyond 1e+30; export it again",
+        [&] { parse(parts); });
     const std::string whole = make_glb({});
     for (const std::size_t size :
          {std::size_t{0}, std::size_t{4}, std::size_t{19}, std::size_t{60}, whole.size() - 20}) {

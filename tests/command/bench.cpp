@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "command.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+TEST_CASE("bench: as JSON it holds each recipe, with its passes and views, and keeps the truths") {
+    const temporary_folder folder;
+    const nlohmann::json whole = nlohmann::json::parse(expect_success(
+        "bench built-in --width 64 --height 36 --rays 16 --repeats 2 --hidden --json --truths '" +
+        (folder / "truths").string() +
+        "' --recipes directions:8x4/single_layer/hbao/bilateral "
+        "directions:8x4/single_layer/hbao/bilateral@strength=0 "
+        "directions:4x4/single_layer/hbao/bent_cone"));
+    CHECK(whole.at("width") == 64);
+    CHECK(whole.at("height") == 36);
+    CHECK_FALSE(whole.at("device").get<std::string>().empty());
+    CHECK(whole.at("fetch_loop_milliseconds").get<double>() > 0);
+    REQUIRE(whole.at("recipes").size() == 3);
+    for (const nlohmann::json& row : whole["recipes"]) {
+        CHECK(row.at("milliseconds").get<double>() > 0);
+        CHECK(row.at("capture_milliseconds") == 0);
+        for (const nlohmann::json& pass : row.at("passes")) {
+            CHECK(pass.at("fetches").get<unsigned>() > 0);
+            CHECK(pass.at("instructions").get<unsigned>() > pass["fetches"].get<unsigned>());
+        }
+        REQUIRE(row.at("views").size() == 3); // the cameras of the built-in scene
+        for (const char* error : {"rmse_hard", "rmse_linear", "rmse_quad", "ssim", "bias", "change"}) {
+            double mean = 0;
+            for (const nlohmann::json& view : row["views"])
+                mean += view.at(error).get<double>() / 3;
+            CHECK(std::abs(row.at(error).get<double>() - mean) <= 1e-12);
+        }
+    }
+    const nlohmann::json &drawn = whole["recipes"][0], &nothing = whole["recipes"][1],
+                         &bent = whole["recipes"][2];
+    CHECK(drawn.at("recipe") == "directions:8x4/single_layer/hbao/bilateral");
+    CHECK(drawn.at("passes").size() == 3);
+    CHECK(drawn["passes"][0].at("fetches").get<unsigned>() >= 32);
+    // Without occlusion all is 1: brighter than the truth, and the camera changes nothing.
+    CHECK(nothing.at("bias").get<double>() > 0.05);
+    CHECK(nothing.at("rmse_linear").get<double>() > drawn.at("rmse_linear").get<double>());
+    CHECK(nothing.at("change") == 0);
+    CHECK(drawn["views"][0].at("pixels_hidden").get<unsigned>() > 20);
+    CHECK(bent["views"][0].at("bent_degrees").get<double>() > 0);
+    CHECK_FALSE(drawn["views"][0].contains("bent_degrees"));
+
+    std::set<std::string> kept;
+    for (const std::string& file : files_in(folder / "truths"))
+        kept.insert(std::filesystem::path(file).filename().string());
+    CHECK(kept ==
+          std::set<std::string>{"ao_hard.pfm", "ao_linear.pfm", "ao_quad.pfm", "bent.pfm", "mask.pfm"});
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "command.hpp"
+
+#include <crease/parts.hpp>
+#include <crease/recipe.hpp>
+
+#include <doctest/doctest.h>
+
+TEST_CASE("list: as JSON it holds every part, and recipes that compose") {
+    const nlohmann::json listed = nlohmann::json::parse(expect_success("list --json"));
+    REQUIRE(listed.at("parts").size() == std::size(crease::all_parts));
+    for (std::size_t i = 0; i < listed["parts"].size(); ++i) {
+        const crease::part& p = *crease::all_parts[i];
+        const nlohmann::json& shown = listed["parts"][i];
+        CHECK(shown.at("name").get<std::string>() == p.name);
+        CHECK(shown.at("role").get<std::string>() == crease::name_of(p.kind));
+        CHECK(shown.at("summary").get<std::string>() == p.summary);
+        REQUIRE(shown.at("settings").size() == p.settings.size());
+        for (std::size_t s = 0; s < p.settings.size(); ++s) {
+            CHECK(shown["settings"][s].at("name").get<std::string>() == p.settings[s].name);
+            CHECK(shown["settings"][s].at("default").get<float>() == p.settings[s].fallback);
+            CHECK(shown["settings"][s].at("least").get<float>() == p.settings[s].least);
+            CHECK(shown["settings"][s].at("most").get<float>() == p.settings[s].most);
+        }
+        REQUIRE(shown.at("numbers").size() == p.numbers.size());
+        for (std::size_t n = 0; n < p.numbers.size(); ++n) {
+            CHECK(shown["numbers"][n].at("name").get<std::string>() == p.numbers[n].name);
+            CHECK(shown["numbers"][n].at("default").get<int>() == p.numbers[n].fallback);
+        }
+    }
+    std::set<std::string> recipes;
+    for (const nlohmann::json& r : listed.at("recipes")) {
+        const std::string text = r.at("recipe");
+        CHECK(crease::recipe(std::string_view(text)));
+        CHECK(r.at("features").at("extended_storage_formats").is_boolean());
+        recipes.insert(text);
+    }
+    CHECK(recipes.size() == listed["recipes"].size());
+    CHECK(recipes.contains("directions/single_layer/hbao"));
+    CHECK_FALSE(recipes.contains("poisson_disk/single_layer/hbao"));
+}
+
+TEST_CASE("list: as text it names the same") {
+    const std::string text = expect_success("list");
+    for (const crease::part* p : crease::all_parts) {
+        CAPTURE(std::string(p->name));
+        CHECK(text.find("\n  " + std::string(p->name) + " ") != std::string::npos);
+    }
+    CHECK(text.find("\n  directions/single_layer/hbao") != std::string::npos);
+}

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "before_wall.hpp"
+#include "command.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using crease::tools::image;
+using crease::tools::read_image;
+
+namespace {
+
+/// A truth of 64 x 36 that the command wrote.
+struct reference_files {
+    temporary_folder folder;
+
+    reference_files(const std::string& scene, const std::string& options) {
+        expect_success("reference " + scene + " " + options + " -o '" + (folder / "out").string() + "'");
+    }
+
+    image operator[](const std::string& name) const {
+        const image read = read_image(folder / ("out/" + name + ".pfm"));
+        CHECK(read.width == 64);
+        CHECK(read.height == 36);
+        return read;
+    }
+};
+
+const std::set<std::string> always{"ao_hard.pfm", "ao_linear.pfm", "ao_linear.png", "ao_quad.pfm",
+                                   "bent.pfm",    "depth.pfm",     "meta.json",     "normal.pfm"};
+
+bool all_are(const std::vector<float>& values, float value) {
+    return std::ranges::all_of(values, [=](float v) { return v == value; });
+}
+
+}
+
+TEST_CASE("reference: a plane seen from above is open, flat and at one depth") {
+    const reference_files plane(scene_files(false).arguments(), "--rays 16");
+    CHECK(files_in(plane.folder / "out") == always);
+    for (const char* name : {"ao_hard", "ao_linear", "ao_quad"})
+        CHECK(all_are(plane[name].texels, 1));
+    for (const float depth : plane["depth"].texels)
+        CHECK(std::abs(depth - 4) <= 1e-6f);
+    for (unsigned axis = 0; axis < 3; ++axis)
+        CHECK(all_are(channel(plane["normal"], axis), axis == 2 ? 1 : 0));
+    CHECK(std::ranges::all_of(png_of(plane.folder / "out/ao_linear.png"),
+                              [](unsigned char v) { return v == 255; }));
+    const nlohmann::json meta = json_in(plane.folder / "out/meta.json");
+    CHECK(meta.at("camera") == "above");
+    CHECK(meta.at("width") == 64);
+    CHECK(meta.at("height") == 36);
+    CHECK(meta.at("near") == 0.5);
+    CHECK(meta.at("far") == 100);
+    CHECK(meta.at("radius") == 2);
+    CHECK(meta.at("rays") == 16);
+    CHECK(meta.at("seed") == 1);
+    CHECK(meta.at("triangles") == 2);
+    CHECK(meta.at("scene").get<std::string>().ends_with("scene.obj"));
+}
+
+TEST_CASE("reference: a floor before a wall has the visibility of the closed form, and bends away from it") {
+    const reference_files corner(scene_files(true).arguments(), "--rays 1024");
+    const image hard = corner["ao_hard"], linear = corner["ao_linear"], quad = corner["ao_quad"],
+                bent = corner["bent"];
+    for (unsigned x = 0; x < 64; ++x) {
+        const double away = scene_files::x_of(x);
+        if (away < 0)
+            continue;
+        const visibility expected = before_wall(away / scene_files::radius);
+        CHECK(std::abs(hard.at(x, 18) - expected.hard) <= 0.008);
+        CHECK(std::abs(linear.at(x, 18) - expected.linear) <= 0.004);
+        CHECK(std::abs(quad.at(x, 18) - expected.quad) <= 0.004);
+        if (away < scene_files::radius / 2) {
+            CHECK(bent.at(x, 18, 0) > 0.05f);
+            CHECK(std::abs(bent.at(x, 18, 1)) < 0.02f);
+            CHECK(bent.at(x, 18, 2) > 0.8f);
+        } else if (away > scene_files::radius) {
+            CHECK(std::abs(bent.at(x, 18, 0)) < 0.02f);
+            CHECK(bent.at(x, 18, 2) > 0.999f);
+        }
+    }
+}
+
+TEST_CASE("reference: the mask is where what is hidden takes more than 0.15") {
+    const reference_files built_in("built-in --width 64 --height 36", "--rays 32 --mask --seed 7");
+    std::set<std::string> expected = always;
+    expected.insert({"ao_first_layer.pfm", "mask.pfm", "mask.png"});
+    CHECK(files_in(built_in.folder / "out") == expected);
+    const image first = built_in["ao_first_layer"], all = built_in["ao_linear"], mask = built_in["mask"];
+    const std::vector<unsigned char> picture = png_of(built_in.folder / "out/mask.png");
+    REQUIRE(picture.size() == mask.texels.size());
+    std::size_t hidden = 0;
+    for (std::size_t i = 0; i < mask.texels.size(); ++i) {
+        CHECK(mask.texels[i] == (first.texels[i] - all.texels[i] > 0.15f ? 1 : 0));
+        CHECK(picture[i] == (mask.texels[i] == 1 ? 255 : 0));
+        hidden += mask.texels[i] == 1;
+    }
+    CHECK(hidden > 20);
+    CHECK(hidden < 64 * 36 / 4);
+    CHECK(json_in(built_in.folder / "out/meta.json").at("seed") == 7);
+}

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "before_wall.hpp"
+#include "command.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using crease::tools::image;
+using crease::tools::read_image;
+
+namespace {
+
+/// A picture of 64 x 36 that the command wrote.
+struct render_files {
+    temporary_folder folder;
+
+    render_files(const std::string& scene, const std::string& options) {
+        expect_success("render " + scene + " " + options + " --validation -o '" + (folder / "out").string() +
+                       "'");
+    }
+
+    image operator[](const std::string& name) const {
+        const image read = read_image(folder / ("out/" + name));
+        CHECK(read.width == 64);
+        CHECK(read.height == 36);
+        return read;
+    }
+};
+
+const std::set<std::string> always{"ao.pfm", "ao.png", "depth.pfm", "frame.exr", "meta.json", "normal.pfm"};
+
+unsigned char byte_of(float value) {
+    return static_cast<unsigned char>(std::clamp(value * 255 + 0.5f, 0.0f, 255.0f));
+}
+
+}
+
+TEST_CASE("render: a plane seen from above is open, flat and at one depth") {
+    const render_files plane(
+        scene_files(false).arguments(),
+        "--recipe directions:8x4/single_layer/hbao/bilateral --set bias=0.2 --frame 3 --guard 5");
+    CHECK(files_in(plane.folder / "out") == always);
+    for (const float visible : plane["ao.pfm"].texels)
+        CHECK(visible == 1);
+    for (const float depth : plane["depth.pfm"].texels)
+        CHECK(std::abs(depth - 4) <= 1e-5f);
+    for (unsigned axis = 0; axis < 3; ++axis)
+        for (const float n : channel(plane["normal.pfm"], axis))
+            CHECK(n == (axis == 2 ? 1 : 0));
+    const nlohmann::json meta = json_in(plane.folder / "out/meta.json");
+    CHECK(meta.at("camera") == "above");
+    CHECK(meta.at("width") == 64);
+    CHECK(meta.at("height") == 36);
+    CHECK(meta.at("near") == 0.5);
+    CHECK(meta.at("far") == 100);
+    CHECK(meta.at("radius") == 2);
+    CHECK(meta.at("recipe") == "directions:8x4/single_layer/hbao/bilateral:3");
+    CHECK(meta.at("settings").at("bias").get<float>() == 0.2f);
+    CHECK(meta.at("settings").at("strength").get<float>() == 1.1f);
+    CHECK(meta.at("frame") == 3);
+    CHECK(meta.at("guard") == 5);
+    CHECK_FALSE(meta.at("device").get<std::string>().empty());
+    CHECK(meta.at("captures").empty());
+    REQUIRE(meta.at("passes").size() == 3);
+    for (const nlohmann::json& pass : meta["passes"]) {
+        CHECK(pass.at("name").is_string());
+        CHECK(pass.at("milliseconds").is_number());
+    }
+}
+
+TEST_CASE("render: the EXR file has the pictures by name, and the PNG the visibility times 255") {
+    const render_files corner("built-in --width 64 --height 36", "--recipe directions:4x4/single_layer/hbao");
+    const image ao = corner["ao.pfm"], normal = corner["normal.pfm"];
+    const std::filesystem::path exr = corner.folder / "out/frame.exr";
+    CHECK(exr_channel_of(exr, "visibility") == ao.texels);
+    CHECK(exr_channel_of(exr, "depth.Z") == corner["depth.pfm"].texels);
+    CHECK(exr_channel_of(exr, "normal.X") == channel(normal, 0));
+    CHECK(exr_channel_of(exr, "normal.Y") == channel(normal, 1));
+    CHECK(exr_channel_of(exr, "normal.Z") == channel(normal, 2));
+    CHECK(channel(normal, 0) != channel(normal, 1));
+    const std::vector<unsigned char> picture = png_of(corner.folder / "out/ao.png");
+    REQUIRE(picture.size() == ao.texels.size());
+    for (std::size_t i = 0; i < picture.size(); ++i)
+        CHECK(picture[i] == byte_of(ao.texels[i]));
+    CHECK(*std::ranges::min_element(picture) < 160);
+}
+
+TEST_CASE("render: a floor before a wall is as dark as a volume behind it, and bends away from it") {
+    const render_files corner(
+        scene_files(true).arguments(),
+        "--recipe directions:16x16/single_layer/hbao/bent_cone --set strength=1 --set bias=0 "
+        "--guard 32");
+    std::set<std::string> expected = always;
+    expected.insert({"bent.pfm", "bent.png", "cone.pfm", "cone.png"});
+    CHECK(files_in(corner.folder / "out") == expected);
+    const image ao = corner["ao.pfm"], bent = corner["bent.pfm"], cone = corner["cone.pfm"];
+    double difference = 0;
+    unsigned count = 0;
+    for (unsigned x = 0; x < 64; ++x) {
+        const double away = scene_files::x_of(x);
+        if (away < 0)
+            continue;
+        difference += std::abs(ao.at(x, 18) - before_wall(away / scene_files::radius).quad);
+        ++count;
+        if (away < scene_files::radius / 2) {
+            CHECK(bent.at(x, 18, 0) > 0.05f);
+            CHECK(std::abs(bent.at(x, 18, 1)) < 0.1f);
+            CHECK(bent.at(x, 18, 2) > 0.7f);
+        } else if (away > 1.1 * scene_files::radius) {
+            CHECK(ao.at(x, 18) == 1);
+            CHECK(bent.at(x, 18, 2) > 0.999f);
+        }
+    }
+    MESSAGE("mean difference to the closed form: " << difference / count);
+    CHECK(difference / count <= 0.028); // measured: 0.007
+    const std::vector<unsigned char> bent_picture = png_of(corner.folder / "out/bent.png"),
+                                     cone_picture = png_of(corner.folder / "out/cone.png");
+    REQUIRE(bent_picture.size() == bent.texels.size());
+    REQUIRE(cone_picture.size() == cone.texels.size());
+    for (std::size_t i = 0; i < bent_picture.size(); ++i)
+        CHECK(std::abs(bent_picture[i] - (bent.texels[i] / 2 + 0.5) * 255) <= 0.51);
+    for (std::size_t i = 0; i < cone_picture.size(); ++i)
+        CHECK(std::abs(cone_picture[i] - cone.texels[i] * 2 / std::numbers::pi * 255) <= 0.51);
+}
