@@ -133,6 +133,10 @@ TEST_CASE("a fragment shader's outputs in other places") {
     CHECK(spirv::mismatches(little::effect, little::spread, found) ==
           sentences{"pass 'spread': its attachments want colour outputs of location 0, but the SPIR-V has "
                     "locations 1, 2"});
+    found.colours = {{.location = 1, .name = {}}};
+    CHECK(spirv::mismatches(little::effect, little::spread, found) ==
+          sentences{"pass 'spread': its attachments want colour outputs of location 0, but the SPIR-V has "
+                    "location 1"});
     found.colours = {};
     CHECK(spirv::mismatches(little::effect, little::spread, found) ==
           sentences{"pass 'spread': its attachments want colour outputs of location 0, but the SPIR-V has no "
