@@ -118,7 +118,7 @@ TEST_CASE("sizes: two upsamplings, of two images each") {
 }
 
 TEST_CASE("sizes: layers of two cameras, the second at a third of the resolution and without a band") {
-    check_sizes("directions/stochastic_layers:4/hbao/atomic_minimum/second_view:3",
+    check_sizes("directions/stochastic_layers:4/hbao_plus/atomic_minimum/second_view:3",
                 {{"pack_layers", 673, 391}, {"pack_layers", 214, 120}, {"visibility", 641, 359}},
                 {{"depth", 673, 391},
                  {"normal", 673, 391},
