@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -164,14 +165,22 @@ TEST_CASE("a multisampled image has the least power of 2 above 1 that holds the 
     }
 }
 
-TEST_CASE("an array of captured layers has one for each sample, also where there is one") {
-    for (unsigned count : {1u, 2u, 5u, 32u}) {
-        CAPTURE(count);
-        const plan p =
-            planned("directions/stochastic_layers:" + std::to_string(count) + "/hbao/atomic_minimum");
-        const resource& captured = p.resources[p.index_of("captured_layers")];
-        CHECK(captured.layers == count);
-        CHECK(captured.arrayed);
-        CHECK(captured.samples == 1);
-    }
+TEST_CASE("an array of captured layers has one for each sample, also where there is one and where there are "
+          "two cameras") {
+    for (const std::string second : {"", "/second_view"})
+        for (const auto& [count, groups] : {std::pair(1u, 1u), {2u, 1u}, {5u, 2u}, {32u, 8u}}) {
+            CAPTURE(second);
+            CAPTURE(count);
+            const plan p = planned("directions/stochastic_layers:" + std::to_string(count) +
+                                   "/hbao_plus/atomic_minimum" + second);
+            for (const resource& r : p.resources)
+                if (r.life == lifetime::captured) {
+                    CHECK(r.layers == count);
+                    CHECK(r.arrayed);
+                    CHECK(r.samples == 1);
+                }
+            CHECK(p.resources[p.index_of("captured_layers")].life == lifetime::captured);
+            CHECK(p.captures.size() == (second.empty() ? 1 : 2));
+            CHECK(p.resources[p.index_of("packed_layers")].layers == groups * p.captures.size());
+        }
 }
