@@ -4,8 +4,8 @@
 function(list_test_cases result)
     execute_process(COMMAND ${command} --list-test-cases --no-colors=true ${ARGN} OUTPUT_VARIABLE text
                     COMMAND_ERROR_IS_FATAL ANY)
-    string(REPLACE ";" "," text "${text}")
     string(REGEX REPLACE "\\[doctest\\][^\n]*\n|=+\n" "" text "${text}")
+    string(REGEX REPLACE "[][;]" "," text "${text}") # of which CMake makes lists
     string(REGEX MATCHALL "[^\n]+" names "${text}")
     set(${result} "${names}" PARENT_SCOPE)
 endfunction()
@@ -21,7 +21,11 @@ foreach(filter IN LISTS filters)
 endforeach()
 list(SORT all)
 list(SORT run)
+set(left_out ${all})
+list(REMOVE_ITEM left_out ${run})
+if(NOT left_out STREQUAL "")
+    message(FATAL_ERROR "no entry of ${command} runs '${left_out}': mend their filters")
+endif()
 if(all STREQUAL "" OR NOT all STREQUAL run)
-    message(FATAL_ERROR "the entries of ${command} do not run each test case once: mend their filters.\n"
-                        "all: ${all}\nrun: ${run}")
+    message(FATAL_ERROR "entries of ${command} run a test case twice: mend their filters.\nthey run: ${run}")
 endif()
