@@ -7,7 +7,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -168,7 +167,8 @@ TEST_CASE("a multisampled image has the least power of 2 above 1 that holds the 
 TEST_CASE("an array of captured layers has one for each sample, also where there is one and where there are "
           "two cameras") {
     for (const std::string second : {"", "/second_view"})
-        for (const auto& [count, groups] : {std::pair(1u, 1u), {2u, 1u}, {5u, 2u}, {32u, 8u}}) {
+        for (unsigned count : {1u, 2u, 5u, 32u}) {
+            const unsigned groups = count == 32 ? 8 : count == 5 ? 2 : 1; // of four
             CAPTURE(second);
             CAPTURE(count);
             const plan p = planned("directions/stochastic_layers:" + std::to_string(count) +

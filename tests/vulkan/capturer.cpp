@@ -84,8 +84,9 @@ TEST_CASE("one sample packs into one component, if it is not before the front; b
           "looks there") {
     vulkan::device& device = validated_device();
     const std::vector<float> captured{1, 2, 3};
-    for (const auto& [fold, front_is_kept] : {std::pair("all_layers", true), {"front_first", false}}) {
-        CAPTURE(std::string(fold));
+    for (const bool front_is_kept : {true, false}) {
+        const std::string fold = front_is_kept ? "all_layers" : "front_first";
+        CAPTURE(fold);
         const auto effect = composed(std::string("directions:4x4/stochastic_layers:1/hbao/atomic_minimum/"
                                                  "reconstructed_normals/linear_depth/") +
                                      fold);
