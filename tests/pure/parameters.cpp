@@ -145,7 +145,7 @@ TEST_CASE("a point that a matrix projects is found again by the view_parameters"
         CAPTURE(by.clip.y_up);
         const view_parameters p = parameters_of(by);
         CHECK(p.resolution[0] == width);
-        CHECK(p.texel_size[1] * height == doctest::Approx(1));
+        CHECK(std::abs(p.texel_size[1] * height - 1) <= 1e-6f);
         for (const double depth : {0.3, 1.0, 7.5, 60.0})
             for (const double x : {-0.4, 0.0, 0.7})
                 for (const double y : {-0.6, 0.0, 0.2}) {
@@ -161,10 +161,12 @@ TEST_CASE("the background begins at the far plane") {
     for (const projection& by : every_projection()) {
         CAPTURE(by.name);
         const view_parameters p = parameters_of(by);
-        if (by.far_depth == infinity)
+        if (by.far_depth == infinity) {
             CHECK(p.far_depth > 1e14f);
-        else
-            CHECK(p.far_depth == doctest::Approx(by.far_depth).epsilon(0.002));
+        } else {
+            CHECK(p.far_depth < by.far_depth); // a cleared texel is at or beyond it, in spite of rounding
+            CHECK(p.far_depth > 0.998 * by.far_depth);
+        }
     }
 }
 

@@ -6,9 +6,11 @@
 
 #include <doctest/doctest.h>
 
+#include <map>
 #include <memory>
 #include <set>
-#include <tuple>
+#include <string>
+#include <string_view>
 
 namespace {
 
@@ -30,14 +32,41 @@ void check_pass(const pass& each) {
     CHECK(each.vertex_pieces.empty() == (each.stage != stage_kind::fragment));
 }
 
+/// What shares numbers: in Vulkan all that has a descriptor; in OpenGL blocks, textures and images apart. The
+/// places of attachments and results count apart from both.
+int counted_with(const binding& b, dialect_kind dialect) {
+    if (!has_descriptor(b.how))
+        return -1;
+    if (dialect == dialect_kind::vulkan || b.how == access::uniform)
+        return 0;
+    return b.how == access::sample ? 1 : 2;
+}
+
+/// The line of a program's interface that declares a binding.
+std::string_view declaration(std::string_view interface, const binding& b) {
+    const std::string end = b.how == access::uniform ? "#define crease_parameters_place "
+                                                     : " crease_" + std::string(b.name) + ";\n";
+    const std::size_t at = interface.find(end);
+    if (at == std::string_view::npos)
+        return {};
+    const std::size_t begin = interface.rfind('\n', at) + 1;
+    return interface.substr(begin, interface.find('\n', at) - begin);
+}
+
 void check_bindings(const pass& each, std::size_t resources) {
-    std::set<std::tuple<unsigned, unsigned, int>> places;
+    const unsigned first = each.bindings.front().slot;
+    CHECK((each.stage == stage_kind::functions || first == 0));
+    std::map<int, unsigned> next{{-1, 0}, {0, first}, {1, first}, {2, first}};
     for (const binding& b : each.bindings) {
         CHECK(b.resource < resources);
-        if (b.how == access::attachment || b.how == access::result)
+        CHECK(b.slot == next[counted_with(b, each.dialect)]++); // none is left out and none taken twice
+        if (!has_descriptor(b.how))
             continue;
-        const int counted_apart = each.dialect == dialect_kind::opengl ? static_cast<int>(b.how) : 0;
-        CHECK(places.emplace(b.set, b.slot, counted_apart).second);
+        const std::string text = std::string(declaration(each.pieces[0].text, b)) + '\n';
+        const std::string place = "binding = " + std::to_string(b.slot);
+        CHECK((contains(text, place + ")") || contains(text, place + "\n")));
+        CHECK(contains(text, "set = " + std::to_string(b.set) + ", ") ==
+              (each.dialect == dialect_kind::vulkan));
     }
     CHECK(each.bindings.front().name == "parameters");
     CHECK(writes(each.bindings.back().how));
@@ -94,4 +123,30 @@ TEST_CASE("OpenGL counts blocks, textures and images apart, and has plain consta
     CHECK(contains(text, "layout(r8, binding = 0) uniform writeonly image2D crease_output;"));
     CHECK_FALSE(contains(text, "set ="));
     CHECK_FALSE(contains(text, "_id"));
+}
+
+TEST_CASE("OpenGL's images share their units, whether they are loaded, stored or changed") {
+    const auto declares = [](std::string_view recipe_text, std::size_t which,
+                             std::initializer_list<std::string_view> lines) {
+        const auto composed = std::make_unique<composition>(recipe(recipe_text));
+        const pass& each = composed->view().passes[which];
+        CAPTURE(std::string(each.pieces[0].text));
+        for (std::string_view line : lines)
+            CHECK(contains(each.pieces[0].text, std::string(line) + "\n"));
+    };
+    declares("directions/single_layer/hbao/bent_cone/bilateral/opengl", 2,
+             {"#define crease_parameters_place std140, binding = 0",
+              "layout(rg32ui, binding = 0) uniform readonly uimage2D crease_input;",
+              "layout(r8, binding = 1) uniform writeonly image2D crease_output;",
+              "layout(rgba16f, binding = 2) uniform writeonly image2D crease_bent_cone;"});
+    declares("sample_box/summed_area_adaptive/mean_height/opengl", 4,
+             {"layout(binding = 0) uniform sampler2D crease_depth;",
+              "layout(rgba32f, binding = 0) uniform readonly image2D crease_range;",
+              "layout(rgba32f, binding = 1) uniform image2DArray crease_area_tables;"});
+    declares("sample_box/summed_area/mean_height/opengl", 4,
+             {"layout(binding = 0) uniform sampler2D crease_depth;",
+              "layout(rgba32f, binding = 0) uniform readonly image2DArray crease_area_tables;",
+              "layout(rgba32f, binding = 1) uniform readonly image2D crease_range;",
+              "layout(binding = 1) uniform sampler2D crease_normal;",
+              "layout(r8, binding = 2) uniform writeonly image2D crease_output;"});
 }

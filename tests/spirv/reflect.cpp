@@ -95,3 +95,39 @@ void main() {}
     CHECK(r.constants[1].value == 0x3f000000u);
     CHECK(r.workgroup[2].size == 3);
 }
+
+TEST_CASE("outputs and attributes are sorted by location, whatever comes first in the text") {
+    const piece fragment[] = {little::version,
+                              {"two.frag", "layout(location = 1) out vec4 second;\n"
+                                           "layout(location = 0) out vec4 first;\n"
+                                           "void main() { first = second = vec4(1.0); }\n"}};
+    const spirv::reflection drawn = spirv::reflect(spirv::compile(fragment, spirv::shader_stage::fragment));
+    REQUIRE(drawn.colours.size() == 2);
+    CHECK(drawn.colours[0].name == "first");
+    CHECK(drawn.colours[1].name == "second");
+    CHECK(drawn.colours[1].location == 1);
+    CHECK(drawn.attributes.empty());
+
+    const piece vertex[] = {little::version,
+                            {"two.vert",
+                             "layout(location = 3) in vec3 later;\n"
+                             "layout(location = 1) in vec3 earlier;\n"
+                             "layout(location = 0) out vec3 passed;\n"
+                             "void main() { passed = later + earlier; gl_Position = vec4(later, 1.0); }\n"}};
+    const spirv::reflection fed = spirv::reflect(spirv::compile(vertex, spirv::shader_stage::vertex));
+    CHECK(fed.model == spirv::execution_model::vertex);
+    CHECK(fed.attributes == std::vector<std::uint32_t>{1, 3});
+    CHECK(fed.colours.empty());
+}
+
+TEST_CASE("texels of a buffer are another kind of descriptor") {
+    const piece pieces[] = {little::version,
+                            {"buffers.comp",
+                             "layout(set = 0, binding = 0) uniform samplerBuffer read;\n"
+                             "layout(set = 0, binding = 1, r32f) uniform imageBuffer stored;\n"
+                             "void main() {}\n"}};
+    const spirv::reflection r = spirv::reflect(spirv::compile(pieces, spirv::shader_stage::compute));
+    REQUIRE(r.bindings.size() == 2);
+    CHECK(r.bindings[0].kind == binding_kind::other);
+    CHECK(r.bindings[1].kind == binding_kind::other);
+}

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <crease/crease.hpp>
 #include <crease/spirv/optimise.hpp>
 #include <crease/vulkan/runner.hpp>
 
@@ -8,6 +9,7 @@
 
 #include <doctest/doctest.h>
 
+#include <memory>
 #include <span>
 
 using namespace crease;
@@ -168,4 +170,94 @@ TEST_CASE("what a runner refuses") {
           "there is no input named 'normals'; there is 'depth'");
     CHECK(sentence_of([&] { runner.download("normals"); }) == "there is no image named 'normals'");
     CHECK_NOTHROW(device.check_messages());
+}
+
+TEST_CASE("each run reads the images that were bound or uploaded last") {
+    vulkan::device& device = validated_device();
+    vulkan::runner runner(device, little::effect, 6, 5);
+    const auto own = [&](format texels, std::uint32_t width, float depth) {
+        auto made = std::make_unique<vulkan::image>(
+            device,
+            vulkan::image_description{.name = "own",
+                                      .texels = texels,
+                                      .width = width,
+                                      .height = 5,
+                                      .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+        const std::vector<float> numbers(std::size_t{width} * 5, depth);
+        vulkan::upload(device, *made, std::span<const float>(numbers));
+        return made;
+    };
+    parameters p;
+    p.radius = 0.5f; // with a gain of 2 the visibility is the depth
+    const auto sees = [&](float depth) {
+        runner.run(p);
+        return largest_difference(runner.download("visibility"), std::vector<float>(30, depth)) <=
+               half_a_step;
+    };
+    const auto first = own(format::r32_float, 6, 0.25f), second = own(format::d32_float, 9, 0.75f);
+    runner.bind("depth", *first);
+    CHECK(sees(0.25f));
+    runner.bind("depth", *second);
+    CHECK(sees(0.75f));
+    CHECK(sees(0.75f));
+    const std::vector<float> numbers(30, 0.5f);
+    runner.upload("depth", std::span<const float>(numbers));
+    CHECK(sees(0.5f));
+    runner.bind("depth", *first);
+    CHECK(sees(0.25f));
+    const std::vector<float> later(30, 1.0f);
+    vulkan::upload(device, *first, std::span<const float>(later)); // while it is bound
+    CHECK(sees(1));
+    CHECK_NOTHROW(device.check_messages());
+}
+
+TEST_CASE("what one runner writes another reads, in turns") {
+    vulkan::device& device = validated_device();
+    vulkan::runner first(device, little::effect, 8, 8), second(device, little::effect, 8, 8);
+    second.bind("depth", first.image_of("visibility"));
+    parameters p;
+    p.radius = 0.25f; // with a gain of 2 the visibility is half the depth
+    for (float depth : {1.0f, 0.5f}) {
+        const std::vector<float> numbers(64, depth);
+        first.upload("depth", std::span<const float>(numbers));
+        first.run(p);
+        second.run(p);
+        CHECK(largest_difference(second.download("visibility"), std::vector<float>(64, depth / 4)) <=
+              2 * half_a_step);
+    }
+    CHECK_NOTHROW(device.check_messages());
+}
+
+TEST_CASE("an effect that needs what the device lacks is refused by the name of that") {
+    vulkan::device& device = validated_device();
+    effect_view wanting = little::effect;
+    wanting.features.depth_samples = 64; // of no device that there is
+    CHECK(sentence_of([&] { vulkan::runner(device, wanting, 4, 4); }) ==
+          "the device '" + device.name() +
+              "' lacks depth images of 64 samples a texel, which the effect requires");
+}
+
+TEST_CASE("images are made in the sizes that are declared") {
+    const recipe chosen("sample_box/mip_chain:3x4/mean_height/upsample:2");
+    REQUIRE(chosen);
+    const composition composed(chosen);
+    vulkan::runner runner(validated_device(), composed, 45, 22, {.guard = 3, .constants = {}, .shaders = {}});
+    const auto has = [&](std::string_view name, std::uint32_t width, std::uint32_t height,
+                         std::uint32_t layers, bool arrayed) {
+        CAPTURE(std::string(name));
+        const vulkan::image_description& d = runner.image_of(name).description();
+        CHECK(d.width == width);
+        CHECK(d.height == height);
+        CHECK(d.layers == layers);
+        CHECK(d.samples == 1);
+        CHECK(d.arrayed == arrayed);
+    };
+    has("area_tables", 18, 12, 3, true); // 45 / 4 and 22 / 4 rounded up, and the band twice
+    has("range_of_columns", 45, 1, 1, false);
+    has("range", 1, 1, 1, false);
+    has("between_0", 23, 11, 1, false);
+    has("visibility", 45, 22, 1, false);
+    const std::vector<float> depth(51 * 28, 0.5f);
+    CHECK_NOTHROW(runner.upload("depth", std::span<const float>(depth)));
+    has("depth", 51, 28, 1, false);
 }

@@ -148,8 +148,12 @@ private:
                    std::string(facts_of(f.texels).name));
         if (stored && !f.writable)
             say(name + " is declared as stored to, but the SPIR-V only reads it");
+        else if (b.how == access::store && f.readable)
+            say(name + " is declared as stored to, but the SPIR-V may also read it");
         if (b.how == access::load && f.writable)
             say(name + " is declared as loaded, but the SPIR-V may store to it");
+        if (b.how == access::modify && !f.readable)
+            say(name + " is declared as changed, but the SPIR-V only stores to it");
         const bool whole_numbers = facts_of(image.texels).whole_numbers;
         if (f.component != (whole_numbers ? scalar_kind::unsigned_integer : scalar_kind::floating_point))
             say(name + " holds " + std::string(facts_of(image.texels).name) +
@@ -159,7 +163,7 @@ private:
                 ", but in the SPIR-V it is " + (f.arrayed ? "one" : "none"));
         if (f.multisampled != (image.samples > 1))
             say(name + " is declared with " + std::to_string(image.samples) +
-                " samples, but in the SPIR-V it is " +
+                (image.samples == 1 ? " sample" : " samples") + ", but in the SPIR-V it is " +
                 (f.multisampled ? "multisampled" : "not multisampled"));
     }
 
@@ -200,8 +204,8 @@ private:
         }
         for (const specialization_constant& f : found_.constants)
             if (std::ranges::find(constants_, f.id, &constant::id) == constants_.end())
-                say("the SPIR-V has constant_id " + std::to_string(f.id) + " (" + f.name +
-                    "), which is not declared");
+                say("the SPIR-V has constant_id " + std::to_string(f.id) +
+                    (f.name.empty() ? "" : " (" + f.name + ")") + ", which is not declared");
     }
 
     void compare_workgroup(const pass& of) {

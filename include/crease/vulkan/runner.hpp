@@ -169,6 +169,8 @@ private:
         const bool multisampled = effect_.resources[i].samples > 1;
         VkImageUsageFlags usage =
             multisampled ? 0u : VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+        if (effect_.resources[i].life == lifetime::output) // another runner may bind it
+            usage |= VK_IMAGE_USAGE_SAMPLED_BIT;
         for (const capture& each : effect_.captures)
             for (const binding& b : each.bindings)
                 if (b.resource == i)

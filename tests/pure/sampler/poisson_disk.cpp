@@ -1,28 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <crease/crease.hpp>
 
-#include <doctest/doctest.h>
+#include "text.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <vector>
+#include <doctest/doctest.h>
 
 static_assert(crease::offers<crease::poisson_disk<>, crease::screen_taps>);
 static_assert(!crease::offers<crease::poisson_disk<>, crease::ordered_taps>);
 
-TEST_CASE("the points of poisson_disk keep apart, for every count") {
-    for (int count : {2, 5, 16, 64, 256})
-        for (double offset : {0.0, 0.5, 0.99}) {
-            std::vector<std::complex<double>> points;
-            for (int i = 0; i < count; ++i)
-                points.push_back(std::polar(std::sqrt((i + offset) / count), 2.39996323 * (i + 1)));
-            double least = 9;
-            for (std::size_t i = 0; i < points.size(); ++i)
-                for (std::size_t j = 0; j < i; ++j)
-                    least = std::min(least, std::abs(points[i] - points[j]));
-            CAPTURE(count);
-            CAPTURE(offset);
-            CHECK(least * std::sqrt(count) > 0.99);
-        }
+TEST_CASE("poisson_disk has as many taps as its number says") {
+    using effect = crease::effect<crease::poisson_disk<9>, crease::single_layer, crease::hbao_plus>;
+    CHECK(contains(effect::source<0>, "const int crease_poisson_disk_count = 9;\n"));
+    CHECK(piece_of(effect::passes[0], "sampler/poisson_disk.glsl") == crease::poisson_disk_glsl.text);
 }

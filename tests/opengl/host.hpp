@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "context.hpp"
+
+#include <crease/effect.hpp>
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Runs an effect for OpenGL as its description says: compute and fragment passes, at one resolution. Its
+/// objects go with the context.
+class opengl_host {
+public:
+    opengl_host(const crease::effect_view& effect, unsigned width, unsigned height)
+        : effect_(effect), width_(width), height_(height) {
+        make_context();
+        glGenVertexArrays(1, &vertex_array_);
+        glGenBuffers(1, &block_);
+        glGenSamplers(1, &sampler_); // as crease::access::sample asks for
+        glSamplerParameteri(sampler_, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glSamplerParameteri(sampler_, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        glSamplerParameteri(sampler_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        glSamplerParameteri(sampler_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+        for (const crease::resource& r : effect.resources)
+            textures_.push_back(r.texels == crease::format::none ? 0 : make_texture(r));
+        check_errors("making textures");
+    }
+
+    void upload_depth(const std::vector<float>& texels) {
+        const std::size_t i = index_of("depth");
+        glBindTexture(GL_TEXTURE_2D, textures_[i]);
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_of(effect_.resources[i].size),
+                        height_of(effect_.resources[i].size), GL_DEPTH_COMPONENT, GL_FLOAT, texels.data());
+        check_errors("filling the depth");
+    }
+
+    void run(const crease::parameters& values) {
+        glBindVertexArray(vertex_array_);
+        glBindBuffer(GL_UNIFORM_BUFFER, block_);
+        glBufferData(GL_UNIFORM_BUFFER, sizeof values, &values, GL_STATIC_DRAW);
+        for (const crease::pass& each : effect_.passes) {
+            GLuint framebuffer; // of this pass's attachments alone
+            glGenFramebuffers(1, &framebuffer);
+            glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+            std::vector<GLenum> drawn_to;
+            for (const crease::binding& b : each.bindings) {
+                bind(b);
+                if (b.how == crease::access::attachment)
+                    drawn_to.push_back(GL_COLOR_ATTACHMENT0 + b.slot);
+            }
+            const GLuint program = link(each);
+            glUseProgram(program);
+            if (each.stage == crease::stage_kind::compute) {
+                dispatch(each);
+            } else {
+                glDrawBuffers(static_cast<GLsizei>(drawn_to.size()), drawn_to.data());
+                glViewport(0, 0, width_of(each.size), height_of(each.size));
+                glDrawArrays(GL_TRIANGLES, 0, 3);
+            }
+            glMemoryBarrier(GL_ALL_BARRIER_BITS);
+            glDeleteProgram(program);
+            glDeleteFramebuffers(1, &framebuffer);
+            check_errors("pass '" + std::string(each.name) + "'");
+        }
+    }
+
+    /// @param components  of a texel, from red on
+    std::vector<float> download(std::string_view name, unsigned components = 1) {
+        const std::size_t i = index_of(name);
+        std::vector<float> texels(std::size_t{width_} * height_ * components);
+        glBindTexture(GL_TEXTURE_2D, textures_[i]);
+        glGetTexImage(GL_TEXTURE_2D, 0, components == 1 ? GL_RED : GL_RGBA, GL_FLOAT, texels.data());
+        check_errors("reading back '" + std::string(name) + "'");
+        return texels;
+    }
+
+private:
+    crease::effect_view effect_;
+    unsigned width_, height_;
+    std::vector<GLuint> textures_; ///< by resource; 0 for the block of parameters
+    GLuint vertex_array_{}, block_{}, sampler_{};
+
+    std::size_t index_of(std::string_view name) const {
+        for (std::size_t i = 0; i < effect_.resources.size(); ++i)
+            if (effect_.resources[i].name == name)
+                return i;
+        throw std::runtime_error("there is no image named '" + std::string(name) + "'");
+    }
+    GLsizei width_of(const crease::extent& size) const { return static_cast<GLsizei>(size.width_of(width_)); }
+    GLsizei height_of(const crease::extent& size) const {
+        return static_cast<GLsizei>(size.height_of(height_));
+    }
+    static GLenum target_of(const crease::resource& r) {
+        return r.arrayed ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
+    }
+
+    static GLenum format_of(crease::format texels) {
+        switch (texels) {
+        case crease::format::r8_unorm:
+            return GL_R8;
+        case crease::format::rgba8_unorm:
+            return GL_RGBA8;
+        case crease::format::r32_uint:
+            return GL_R32UI;
+        case crease::format::rg32_uint:
+            return GL_RG32UI;
+        case crease::format::r32_float:
+            return GL_R32F;
+        case crease::format::rg32_float:
+            return GL_RG32F;
+        case crease::format::rgba16_float:
+            return GL_RGBA16F;
+        case crease::format::rgba32_float:
+            return GL_RGBA32F;
+        case crease::format::d32_float:
+            return GL_DEPTH_COMPONENT32F;
+        case crease::format::none:
+            break;
+        }
+        throw std::runtime_error("an image has a format");
+    }
+
+    GLuint make_texture(const crease::resource& r) const {
+        GLuint texture;
+        glGenTextures(1, &texture);
+        glBindTexture(target_of(r), texture);
+        if (r.arrayed)
+            glTexStorage3D(GL_TEXTURE_2D_ARRAY, 1, format_of(r.texels), width_of(r.size), height_of(r.size),
+                           static_cast<GLsizei>(r.layers));
+        else
+            glTexStorage2D(GL_TEXTURE_2D, 1, format_of(r.texels), width_of(r.size), height_of(r.size));
+        return texture;
+    }
+
+    void bind(const crease::binding& b) const {
+        const GLuint texture = textures_[b.resource];
+        const crease::resource& r = effect_.resources[b.resource];
+        switch (b.how) {
+        case crease::access::uniform:
+            glBindBufferBase(GL_UNIFORM_BUFFER, b.slot, block_);
+            break;
+        case crease::access::sample:
+            glActiveTexture(GL_TEXTURE0 + b.slot);
+            glBindTexture(target_of(r), texture);
+            glBindSampler(b.slot, sampler_);
+            break;
+        case crease::access::load:
+        case crease::access::store:
+        case crease::access::modify:
+            glBindImageTexture(b.slot, texture, 0, r.arrayed, 0,
+                               b.how == crease::access::load    ? GL_READ_ONLY
+                               : b.how == crease::access::store ? GL_WRITE_ONLY
+                                                                : GL_READ_WRITE,
+                               format_of(r.texels));
+            break;
+        case crease::access::attachment:
+            glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + b.slot, GL_TEXTURE_2D, texture, 0);
+            break;
+        case crease::access::result:
+            throw std::runtime_error("functions have no output of their own");
+        }
+    }
+
+    void dispatch(const crease::pass& of) const {
+        const auto groups = [](GLsizei texels, unsigned group) {
+            return (static_cast<GLuint>(texels) + group - 1) / group;
+        };
+        const bool rows = of.covers == crease::dispatch::rows,
+                   columns = of.covers == crease::dispatch::columns;
+        glDispatchCompute(rows ? 1 : groups(width_of(of.size), of.group_width()),
+                          columns ? 1 : groups(height_of(of.size), of.group_height()), 1);
+    }
+
+    static void attach(GLuint program, GLenum stage, std::span<const crease::piece> pieces) {
+        std::vector<const char*> texts; // the pieces are not NUL-terminated: OpenGL takes their lengths
+        std::vector<GLint> lengths;
+        for (const crease::piece& piece : pieces) {
+            texts.push_back(piece.text.data());
+            lengths.push_back(static_cast<GLint>(piece.text.size()));
+        }
+        const GLuint shader = glCreateShader(stage);
+        glShaderSource(shader, static_cast<GLsizei>(texts.size()), texts.data(), lengths.data());
+        glCompileShader(shader);
+        GLint compiled = 0;
+        glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+        char log[4096]{};
+        glGetShaderInfoLog(shader, sizeof log, nullptr, log);
+        if (!compiled)
+            throw std::runtime_error(log);
+        glAttachShader(program, shader);
+        glDeleteShader(shader); // lives as long as the program
+    }
+
+    static GLuint link(const crease::pass& of) {
+        const GLuint program = glCreateProgram();
+        const bool compute = of.stage == crease::stage_kind::compute;
+        attach(program, compute ? GL_COMPUTE_SHADER : GL_FRAGMENT_SHADER, of.pieces);
+        if (!compute)
+            attach(program, GL_VERTEX_SHADER, of.vertex_pieces);
+        glLinkProgram(program);
+        GLint linked = 0;
+        glGetProgramiv(program, GL_LINK_STATUS, &linked);
+        char log[4096]{};
+        glGetProgramInfoLog(program, sizeof log, nullptr, log);
+        if (!linked)
+            throw std::runtime_error(log);
+        return program;
+    }
+};
