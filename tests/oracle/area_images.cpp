@@ -236,7 +236,7 @@ oracle::difference differ(const std::string& source, int divisor, lens projectio
         const auto area = oracle::sample_area(p, {each.x + 0.5, each.y + 0.5}, each.position, s.radius);
         return oracle::mean_height(each, s, sums(area), oriented);
     });
-    return oracle::compare(r.visibility, expected.visibility);
+    return oracle::compare(r.visibility, expected);
 }
 
 /// The sums of layers, each texel of the picture in one.
@@ -325,7 +325,7 @@ TEST_CASE("more uniform layers come nearer to the volume that is not layered") {
                 }
             return texels > 1 ? occlusion / texels * std::min((texels - 1) / 3, 1.0) : 0.0;
         });
-        const double apart = oracle::compare(r.visibility, expected.visibility).mean;
+        const double apart = oracle::compare(r.visibility, expected).mean;
         CAPTURE(layers);
         MESSAGE(layers << " uniform layers: " << apart << " from the volume");
         CHECK(apart < before);

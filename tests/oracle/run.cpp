@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "run.hpp"
 
+#include <doctest/doctest.h>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -94,16 +97,45 @@ settings settings_of(const crease::parameters& how) {
             .frame = how.frame};
 }
 
-difference compare(const std::vector<float>& shader, const std::vector<double>& expected) {
+difference compare(const std::vector<float>& shader, const std::vector<double>& expected, int width) {
+    const std::size_t columns = static_cast<std::size_t>(width), rows = expected.size() / columns;
     std::vector<double> apart;
-    double sum = 0;
+    difference found;
+    double sides[4] = {}; // top, bottom, left, right
     for (std::size_t i = 0; i < expected.size(); ++i) {
-        const double d = std::abs(shader.at(i) - expected[i]);
-        apart.push_back(std::isfinite(d) ? d : 1e9);
-        sum += apart.back();
+        const double signed_apart = shader.at(i) - expected[i];
+        const double d = std::isfinite(signed_apart) ? std::abs(signed_apart) : 1e9;
+        apart.push_back(d);
+        found.mean += d / static_cast<double>(expected.size());
+        found.bias += signed_apart / static_cast<double>(expected.size());
+        const std::size_t x = i % columns, y = i / columns;
+        const bool on[] = {y == 0, y + 1 == rows, x == 0, x + 1 == columns};
+        for (std::size_t side = 0; side < 4; ++side)
+            sides[side] += on[side] ? d / static_cast<double>(side < 2 ? columns : rows) : 0;
     }
+    found.border = *std::max_element(std::begin(sides), std::end(sides));
     std::sort(apart.begin(), apart.end());
-    return {apart[apart.size() * 99 / 100], sum / static_cast<double>(apart.size())};
+    found.typical = apart[apart.size() * 99 / 100];
+    found.most = apart.back();
+    return found;
+}
+
+difference compare(const std::vector<float>& shader, const visibility_image& expected) {
+    return compare(shader, expected.visibility, expected.width);
+}
+
+void check_within(const difference& found, const difference& allowed) {
+    CHECK(found.typical <= allowed.typical);
+    CHECK(found.mean <= allowed.mean);
+    CHECK(found.border <= allowed.border);
+    CHECK(found.most <= allowed.most);
+    CHECK(std::abs(found.bias) <= allowed.bias);
+}
+
+std::unique_ptr<crease::composition> compose(const std::string& recipe_text) {
+    const crease::recipe chosen{std::string_view(recipe_text)};
+    REQUIRE_MESSAGE(static_cast<bool>(chosen), chosen.error());
+    return std::make_unique<crease::composition>(chosen);
 }
 
 }

@@ -7,6 +7,7 @@
 #include <crease/vulkan.hpp>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -70,12 +71,27 @@ visibility_image main_pass(const picture& p, const settings& s, int divisor, boo
     return out;
 }
 
-/// How a shader's picture differs from the oracle's.
+/// How a shader's picture differs from the oracle's: the greatest that a test allows, or what it finds.
 struct difference {
     double typical = 0; ///< 99 % of the pixels differ by no more
     double mean = 0;
+    double border = 0; ///< the mean over the worst of the four outermost rows and columns
+    double most = 0;   ///< at the worst pixel
+    double bias = 0;   ///< the mean of shader less oracle; allowed either way
 };
 
-difference compare(const std::vector<float>& shader, const std::vector<double>& expected);
+difference compare(const std::vector<float>& shader, const std::vector<double>& expected, int width);
+difference compare(const std::vector<float>& shader, const visibility_image& expected);
+
+/// Checks each number of a difference against what a test allows.
+void check_within(const difference& found, const difference& allowed);
+
+/// What 8 bits of visibility and single precision leave, which picks the next texel for a few taps. At most
+/// four times what was measured.
+inline constexpr difference of_rounding{
+    .typical = 0.004, .mean = 0.0007, .border = 0.0012, .most = 0.3, .bias = 0.0003};
+
+/// The effect of a recipe; a recipe that makes none fails the test.
+std::unique_ptr<crease::composition> compose(const std::string& recipe_text);
 
 }

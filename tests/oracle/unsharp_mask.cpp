@@ -152,7 +152,7 @@ TEST_CASE("with a threshold a window by tables leaves layers out") {
                                            : oracle::unsharp_shade_of_layers(
                                                  p, x, y, 15, near_plane, far_plane, threshold, 20, layers));
             // A texel between two layers may fall into either.
-            const oracle::difference d = oracle::compare(shade, expected);
+            const oracle::difference d = oracle::compare(shade, expected, p.width);
             CHECK(d.typical < 20 * rounding);
             CHECK(d.mean < 20 * rounding);
         }
@@ -168,7 +168,7 @@ TEST_CASE("more layers come nearer to the threshold of the listing") {
                 shades(p,
                        "box_area:40x1/summed_area_uniform:" + std::to_string(layers) + "/unsharp_mask/shade",
                        0.02f),
-                expected)
+                expected, p.width)
                 .mean;
         MESSAGE(layers << " layers: " << apart << " of shade from the listing");
         CHECK(apart < before);

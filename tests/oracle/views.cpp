@@ -133,11 +133,11 @@ TEST_CASE("the second camera is placed to the right and in front, turned to the 
         return glm::vec3(m[0] * x + m[4] * y + m[8] * z + m[12], m[1] * x + m[5] * y + m[9] * z + m[13],
                          m[2] * x + m[6] * y + m[10] * z + m[14]);
     };
-    CHECK(glm::length(turned(1, 0, -2)) == doctest::Approx(0).epsilon(1e-6));
+    CHECK(glm::length(turned(1, 0, -2)) < 1e-6f);
     const glm::vec3 focus = turned(0, 0, -10);
-    CHECK(focus.x == doctest::Approx(0).epsilon(1e-5));
-    CHECK(focus.z == doctest::Approx(-std::sqrt(65.0f)));
-    CHECK(turned(1, 3, -2).y == doctest::Approx(3));
+    CHECK(std::abs(focus.x) < 1e-5f);
+    CHECK(std::abs(focus.z + std::sqrt(65.0f)) < 1e-5f);
+    CHECK(std::abs(turned(1, 3, -2).y - 3) < 1e-5f);
 }
 
 TEST_CASE("a guard band lets what stands beside the picture darken it") {
@@ -157,7 +157,7 @@ TEST_CASE("a guard band lets what stands beside the picture darken it") {
         }
         CHECK(guarded_edge < bare_edge - 0.05);
         for (unsigned x = 60; x < 100; ++x) // and what is far from the edge is the same
-            CHECK(bare.visibility.at(x, row) == doctest::Approx(guarded.visibility.at(x, row)).epsilon(0.02));
+            CHECK(std::abs(bare.visibility.at(x, row) - guarded.visibility.at(x, row)) < 0.02f);
     }
 }
 

@@ -64,7 +64,7 @@ oracle::difference differ(const technique& t, const std::string& parts, lens see
     s.tile = tile;
     const oracle::visibility_image expected = oracle::main_pass(
         p, s, 1, reconstructed, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });
-    return oracle::compare(oracle::run(p, composed->view(), how), expected.visibility);
+    return oracle::compare(oracle::run(p, composed->view(), how), expected);
 }
 
 /// Two walls at a right angle that meet in the line x = 0, at depth 6; each is seen at 45 degrees.

@@ -22,7 +22,9 @@ TEST_CASE("fixed_text cuts off what does not fit and says so") {
     crease::fixed_text<5> text;
     text << "four";
     CHECK_FALSE(text.cut);
-    text << "five";
+    text << "s";
+    CHECK_FALSE(text.cut);
+    text << "f";
     CHECK(text.cut);
-    CHECK(text.view() == "fourf");
+    CHECK(text.view() == "fours");
 }

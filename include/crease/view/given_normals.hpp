@@ -10,7 +10,8 @@ inline constexpr glsl_file given_normals_glsl{
 #include <crease/view/given_normals.glsl>
 };
 
-/// Normals: an image of view-space normals that face the camera. The default.
+/// Normals: an image of view-space normals that face the camera, of any length. The default. One that is zero
+/// or not finite counts as facing the eye.
 struct given_normals {
     static constexpr resource inputs[] = {
         {.name = "normal", .texels = format::rgba16_float, .size = {.guarded = true}}};

@@ -9,7 +9,10 @@ uint crease_kept_by_threshold(vec3 coarse, vec3 fine, float between);
 
 uint crease_kept_samples(vec3 anchor) {
     vec3 width = max(abs(dFdx(anchor)), abs(dFdy(anchor)));
-    vec3 level = log2(0.70710678 / max(width, vec3(1.0e-20)));
+    // An axis that the surface hardly moves along tells its places apart by those it moves along; cells as small as its
+    // own footprint would be too many to count.
+    float greatest = max(max(width.x, width.y), max(width.z, 1.0e-20));
+    vec3 level = log2(0.70710678 / max(width, vec3(greatest / 64.0)));
     vec3 coarse = floor(anchor * exp2(floor(level)));
     vec3 fine = floor(anchor * exp2(ceil(level)));
     vec2 corners = vec2(length(fract(level)), length(1.0 - fract(level)));
