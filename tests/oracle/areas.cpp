@@ -155,7 +155,7 @@ area_texel sum_of_square(const area_texels& t, int left, int top, int side) {
 
 }
 
-area_texel sum_of_squares(const area_texels& t, const std::array<double, 4>& area, int most) {
+std::vector<area_texel> sums_of_squares(const area_texels& t, const std::array<double, 4>& area, int most) {
     const glm::ivec4 box = box_of(t, area);
     const int width = box.z - box.x, height = box.w - box.y;
     if (width < 1 || height < 1)
@@ -163,35 +163,36 @@ area_texel sum_of_squares(const area_texels& t, const std::array<double, 4>& are
     int side = 1;
     while (2 * side <= std::min({width, height, most}))
         side *= 2;
-    area_texel sum;
+    std::vector<area_texel> sums;
     for (int x : {box.x, box.z - side})
         for (int y : {box.y, box.w - side})
-            sum = sum + sum_of_square(t, x, y, side);
-    return sum * (double{1} * width * height / (4.0 * side * side));
+            sums.push_back(sum_of_square(t, x, y, side) * (double{1} * width * height / (4.0 * side * side)));
+    return sums;
 }
 
-area_texel sum_of_mips(const area_texels& t, const std::array<double, 4>& area, int last) {
+std::vector<area_texel> sums_of_mips(const area_texels& t, const std::array<double, 4>& area, int last) {
     std::array<double, 4> box{};
     for (std::size_t i = 0; i < 4; ++i)
         box[i] = std::clamp(area[i] / t.divisor, 0.0, static_cast<double>(i % 2 == 0 ? t.width : t.height));
     const double width = box[2] - box[0], height = box[3] - box[1];
-    const auto between = [&](int level) {
+    std::vector<area_texel> sums;
+    const auto between = [&](int level, double share) {
         const double side = std::exp2(level);
         const double x = (box[0] + box[2]) / 2 / side - 0.5, y = (box[1] + box[3]) / 2 / side - 0.5;
         const double left = std::floor(x), top = std::floor(y);
-        area_texel sum;
         for (int j : {0, 1})
             for (int i : {0, 1})
-                sum = sum + sum_of_square(t, static_cast<int>((left + i) * side),
-                                          static_cast<int>((top + j) * side), static_cast<int>(side)) *
-                                ((i == 0 ? 1 - x + left : x - left) * (j == 0 ? 1 - y + top : y - top));
-        return sum * (1 / (side * side));
+                sums.push_back(sum_of_square(t, static_cast<int>((left + i) * side),
+                                             static_cast<int>((top + j) * side), static_cast<int>(side)) *
+                               ((i == 0 ? 1 - x + left : x - left) * (j == 0 ? 1 - y + top : y - top) *
+                                share * width * height / (side * side)));
     };
     const double level =
         std::clamp(std::log2(std::max({width, height, 1.0})) - 1, 0.0, static_cast<double>(last));
     const int lower = static_cast<int>(level);
-    const double share = level - lower;
-    return (between(lower) * (1 - share) + between(std::min(lower + 1, last)) * share) * (width * height);
+    between(lower, 1 - (level - lower));
+    between(std::min(lower + 1, last), level - lower);
+    return sums;
 }
 
 double mean_height(const receiver& r, const settings& s, const std::vector<area_texel>& sums, bool oriented) {

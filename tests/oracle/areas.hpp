@@ -46,13 +46,14 @@ std::vector<area_texel> sums_of(const picture& p, const area_texels& t, const la
 std::vector<area_texel> sums_over(const picture& p, const area_texels& t, const layering& of, int layers,
                                   const std::array<double, 4>& area);
 
-/// The sum over an area by the four squares in its corners, as wide as the greatest power of two, up to
-/// `most`, that fits in it (3.3, N-buffer); as if over as many texels as the area has.
-area_texel sum_of_squares(const area_texels& t, const std::array<double, 4>& area, int most);
+/// The sums over an area by the four squares in its corners, as wide as the greatest power of two, up to
+/// `most`, that fits in it (3.3, N-buffer); all together as if over as many texels as the area has.
+std::vector<area_texel> sums_of_squares(const area_texels& t, const std::array<double, 4>& area, int most);
 
-/// The sum over an area between the texels of two mip levels up to `last`, the wider of which is as wide as
-/// the area or less (3.3, trilinear filter); as if over as many texels as the area has.
-area_texel sum_of_mips(const area_texels& t, const std::array<double, 4>& area, int last);
+/// The sums over an area by the four texels around its middle in each of two mip levels up to `last`, the
+/// wider of which is as wide as the area or less (3.3, trilinear filter); all together as if over as many
+/// texels as the area has.
+std::vector<area_texel> sums_of_mips(const area_texels& t, const std::array<double, 4>& area, int last);
 
 /// Occlusion in [0, 1] of a receiver by the sums of layers: equations 4.3 to 4.6 and the falloff of A.2.
 double mean_height(const receiver& r, const settings& s, const std::vector<area_texel>& sums, bool oriented);

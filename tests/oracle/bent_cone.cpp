@@ -70,11 +70,10 @@ glm::dvec4 ssao_cone(const oracle::picture& p, const oracle::receiver& r, const 
         const glm::dvec3 way = t.point - r.position;
         if (!(glm::dot(way, r.normal) > s.bias * s.radius))
             continue;
-        const double d = p.position(t.x, t.y).z,
-                     x = std::clamp(s.radius / std::abs(r.position.z - d), 0.0, 1.0);
-        const double visible = 1 - (d >= t.point.z ? x * x * (3 - 2 * x) : 0);
-        sum += glm::normalize(way) * visible;
-        open += visible;
+        if (p.position(t.x, t.y).z >= t.point.z)
+            continue; // occluded, or hidden by what is out of range
+        sum += glm::normalize(way);
+        open += 1;
     }
     const double mean_length = glm::length(sum) / std::max(open, 1e-6);
     return {glm::length(sum) > 1e-6 ? glm::normalize(sum) : r.normal,

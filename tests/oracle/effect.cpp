@@ -183,17 +183,22 @@ double ssao(const picture& p, const receiver& r, const settings& s,
     for (const tap& t : taps[0]) {
         if (!(glm::dot(t.point - r.position, r.normal) > s.bias * s.radius))
             continue;
-        points += 1;
-        double most = 0; // of all layers
+        double most = -1, known = 0; // of the layer that occludes the most, the first of equals
         for (const glm::dvec3& position : p.positions(t.x, t.y)) {
-            const double d = position.z; // view space, negative
-            const double x = std::clamp(s.radius / std::abs(r.position.z - d), 0.0, 1.0);
-            if (d >= t.point.z)
-                most = std::max(most, x * x * (3 - 2 * x));
+            // What hides the point counts up to half a radius before the receiver, and less and less up to
+            // one.
+            const double x = std::clamp((s.radius - (position.z - r.position.z)) / (s.radius / 2), 0.0, 1.0);
+            const bool hides = position.z >= t.point.z;
+            const double occludes = hides ? x * x * (3 - 2 * x) : 0;
+            if (occludes > most) {
+                most = occludes;
+                known = hides ? occludes : 1;
+            }
         }
         occluded += most;
+        points += known;
     }
-    return points > 0 ? occluded / points : 0;
+    return occluded / std::max(points, 1.0);
 }
 
 double hbao(const picture& p, const receiver& r, const settings& s, const std::vector<std::vector<tap>>& taps,

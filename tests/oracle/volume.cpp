@@ -18,12 +18,6 @@ double reach(const receiver& r, const settings& s, double depth) {
     return 1 - std::min(1.0, (height - s.radius) / (s.falloff * s.radius));
 }
 
-double beyond_a_plane(double filled, double whole, bool hemisphere) {
-    if (whole == 0)
-        return 0;
-    return hemisphere ? filled / whole : std::max(0.0, 2 * filled / whole - 1);
-}
-
 double surface_depth(const picture& p, int x, int y) {
     return p.background(x, y) ? 1e15 : -p.position(x, y).z;
 }
@@ -68,7 +62,7 @@ std::vector<line> disk_lines(const picture& p, const receiver& r, const settings
         const glm::dvec2 along =
             texel_offset(p, r, distance * (std::cos(angle) * across + std::sin(angle) * up));
         line l{static_cast<int>(std::floor(r.x + 0.5 + along.x)),
-               static_cast<int>(std::floor(r.y + 0.5 + along.y)), 0, 0};
+               static_cast<int>(std::floor(r.y + 0.5 + along.y)), 0, 0, 0};
         if (!p.contains(l.x, l.y))
             continue;
         glm::dvec3 origin, ray;
@@ -78,12 +72,13 @@ std::vector<line> disk_lines(const picture& p, const receiver& r, const settings
         const double b = glm::dot(from, ray), c = glm::dot(from, from) - s.radius * s.radius;
         if (b * b > c) {
             double enter = -b - std::sqrt(b * b - c), leave = -b + std::sqrt(b * b - c);
+            // A ray that goes down is under the plane from there on; one that comes up was so until there.
+            const double down = glm::dot(ray, r.normal);
+            const double plane = std::clamp(-glm::dot(from, r.normal) / down, enter, leave);
+            l.under = (down < 0 ? leave - plane : plane - enter) * -ray.z;
             if (hemisphere) {
-                const double plane = -glm::dot(from, r.normal) / glm::dot(ray, r.normal);
-                if (glm::dot(ray, r.normal) < 0)
-                    leave = std::min(leave, plane);
-                else
-                    enter = std::max(enter, plane);
+                (down < 0 ? leave : enter) = plane;
+                l.under = 0;
             }
             l.near = -(origin + enter * ray).z;
             l.far = -(origin + leave * ray).z;
@@ -93,61 +88,89 @@ std::vector<line> disk_lines(const picture& p, const receiver& r, const settings
     return lines;
 }
 
-double point_volume(const picture& p, const receiver& r, const settings& s, const std::vector<tap>& points,
-                    bool hemisphere) {
-    double filled = 0, whole = 0;
+double point_volume(const picture& p, const receiver& r, const settings& s, const std::vector<tap>& points) {
+    double more = 0, empty = 0;
     for (const tap& t : points) {
-        if (hemisphere && !(glm::dot(t.point - r.position, r.normal) > 0))
+        const double height = glm::dot(t.point - r.position, r.normal);
+        if (std::abs(height) <= s.bias * s.radius)
             continue;
         const double depth = surface_depth(p, t.x, t.y);
-        whole += 1;
-        if (depth < -t.point.z - s.bias * s.radius)
-            filled += reach(r, s, depth);
+        const bool filled = depth < -t.point.z;
+        if (height > 0)
+            more += filled ? reach(r, s, depth) : 0;
+        else
+            more -= filled ? 0 : 1;
+        empty += height > 0;
     }
-    return beyond_a_plane(filled, whole, hemisphere);
+    return std::max(more / std::max(empty, 1.0), 0.0);
 }
 
-double line_volume(const picture& p, const receiver& r, const settings& s, const std::vector<line>& lines,
-                   bool hemisphere) {
-    double filled = 0, whole = 0;
+double line_volume(const picture& p, const receiver& r, const settings& s, const std::vector<line>& lines) {
+    double more = 0, empty = 0;
     for (const line& l : lines) {
         if (!(l.far > l.near))
             continue;
         const double depth = surface_depth(p, l.x, l.y);
-        whole += l.far - l.near;
-        filled += reach(r, s, depth) * (l.far - std::clamp(depth, l.near, l.far));
+        more += reach(r, s, depth) * (l.far - std::clamp(depth, l.near, l.far) - l.under);
+        empty += l.far - l.near - l.under;
     }
-    return beyond_a_plane(filled, whole, hemisphere);
+    return std::max(more / std::max(empty, 0.1 * s.radius), 0.0);
 }
 
 namespace {
 
+/// The texel that holds a place of the depth buffer in [0, 1].
+glm::ivec2 texel_of(const picture& p, double u, double v) {
+    return {std::min(static_cast<int>(std::floor(u * p.width + 1e-9)), p.width - 1),
+            std::min(static_cast<int>(std::floor(v * p.height + 1e-9)), p.height - 1)};
+}
+
 // Equation (1) at a place of the depth buffer in [0, 1].
 double linearize_depth(const picture& p, double u, double v, double near, double far) {
-    const int x = std::min(static_cast<int>(std::floor(u * p.width + 1e-9)), p.width - 1);
-    const int y = std::min(static_cast<int>(std::floor(v * p.height + 1e-9)), p.height - 1);
-    const double z = p.device[p.index(x, y)];
+    const glm::ivec2 at = texel_of(p, u, v);
+    const double z = p.device[p.index(at.x, at.y)];
     return (2.0 * near) / (far + near - z * (far - near));
+}
+
+}
+
+namespace {
+
+/// The listing's loops, over any function of places of the depth buffer in [0, 1].
+template <class Depth>
+double shade_by(const Depth& depth_at, const picture& p, int i, int j, int kernel_dimension, double threshold,
+                double factor) {
+    const double own = depth_at((i + 0.5) / p.width, (j + 0.5) / p.height);
+    double sum = 0, neighbour_count = 0;
+    const int half = kernel_dimension / 2;
+    for (int x = i - half; x < i + half; x++)
+        for (int y = j - half; y < j + half; y++) {
+            const double u = static_cast<double>(x) / p.width, v = static_cast<double>(y) / p.height;
+            if (u >= 0.0 && u <= 1.0 && v >= 0.0 && v <= 1.0 && std::abs(own - depth_at(u, v)) < threshold) {
+                sum += depth_at(u, v);
+                neighbour_count++;
+            }
+        }
+    sum = sum / neighbour_count;
+    return factor * (own - std::max(0.0, sum));
 }
 
 }
 
 double unsharp_shade(const picture& p, int i, int j, int kernel_dimension, double near, double far,
                      double threshold, double factor) {
-    const double own = linearize_depth(p, (i + 0.5) / p.width, (j + 0.5) / p.height, near, far);
-    double sum = 0, neighbour_count = 0;
-    const int half = kernel_dimension / 2;
-    for (int x = i - half; x < i + half; x++)
-        for (int y = j - half; y < j + half; y++) {
-            const double u = static_cast<double>(x) / p.width, v = static_cast<double>(y) / p.height;
-            if (u >= 0.0 && u <= 1.0 && v >= 0.0 && v <= 1.0 &&
-                std::abs(own - linearize_depth(p, u, v, near, far)) < threshold) {
-                sum += linearize_depth(p, u, v, near, far);
-                neighbour_count++;
-            }
-        }
-    sum = sum / neighbour_count;
-    return factor * (own - std::max(0.0, sum));
+    return shade_by([&](double u, double v) { return linearize_depth(p, u, v, near, far); }, p, i, j,
+                    kernel_dimension, threshold, factor);
+}
+
+double unsharp_shade_without_far(const picture& p, int i, int j, int kernel_dimension, double radius,
+                                 double threshold, double factor) {
+    return shade_by(
+        [&](double u, double v) {
+            const glm::ivec2 at = texel_of(p, u, v);
+            return p.background(at.x, at.y) ? 1e15 : -p.position(at.x, at.y).z / (50 * radius);
+        },
+        p, i, j, kernel_dimension, threshold, factor);
 }
 
 double unsharp_shade_of_layers(const picture& p, int i, int j, int kernel_dimension, double near, double far,

@@ -25,23 +25,30 @@ struct technique {
     std::function<double(const oracle::picture&, const oracle::receiver&, const oracle::settings&)> occlusion;
 };
 
+/// Without the points that their texels moved out of the hemisphere.
+std::vector<oracle::tap> above(const oracle::receiver& r, std::vector<oracle::tap> points) {
+    std::erase_if(points,
+                  [&](const oracle::tap& t) { return glm::dot(t.point - r.position, r.normal) <= 0; });
+    return points;
+}
+
 const std::vector<technique>& techniques() {
     static const std::vector<technique> all{
         {"sphere_points:12/single_layer/point_volume",
          [](const auto& p, const auto& r, const auto& s) {
-             return oracle::point_volume(p, r, s, oracle::sphere_points(p, r, s, 12), false);
+             return oracle::point_volume(p, r, s, oracle::sphere_points(p, r, s, 12));
          }},
         {"hemisphere_points:12/single_layer/point_volume",
          [](const auto& p, const auto& r, const auto& s) {
-             return oracle::point_volume(p, r, s, oracle::hemisphere_points(p, r, s, 12)[0], true);
+             return oracle::point_volume(p, r, s, above(r, oracle::hemisphere_points(p, r, s, 12)[0]));
          }},
         {"sphere_lines:9/single_layer/line_volume",
          [](const auto& p, const auto& r, const auto& s) {
-             return oracle::line_volume(p, r, s, oracle::disk_lines(p, r, s, 9, false), false);
+             return oracle::line_volume(p, r, s, oracle::disk_lines(p, r, s, 9, false));
          }},
         {"hemisphere_lines:9/single_layer/line_volume",
          [](const auto& p, const auto& r, const auto& s) {
-             return oracle::line_volume(p, r, s, oracle::disk_lines(p, r, s, 9, true), true);
+             return oracle::line_volume(p, r, s, oracle::disk_lines(p, r, s, 9, true));
          }},
         {"sphere_points:12/single_layer/ssao",
          [](const auto& p, const auto& r, const auto& s) {

@@ -135,8 +135,8 @@ std::string structs_for(const std::string& text) {
     add("crease_gathered", "output/occlusion_alone.glsl", "};");
     add("crease_layers", "depth/single_layer.glsl", "};");
     add("crease_areas ", "depth/summed_area.glsl", "};");
-    const bool in_space = holds(".point") || holds("sphere_points");
-    const bool lines = holds("tap.near") || holds("crease_line_clip");
+    const bool in_space = holds("tap.offset") || holds("sphere_points");
+    const bool lines = holds("tap.near") || holds("crease_line_chord");
     const bool areas = holds("vec4 area") || holds("crease_sample_area");
     add("crease_tap",
         in_space ? "sampler/point_tap.glsl"
@@ -145,7 +145,7 @@ std::string structs_for(const std::string& text) {
                  : "sampler/screen_tap.glsl",
         "};");
     add("crease_pattern", "sampler/directions.glsl", "};");
-    add("crease_estimate", "estimator/hbao.glsl", "};");
+    add("crease_estimate", holds("estimate.rounding") ? "estimator/ssao.glsl" : "estimator/hbao.glsl", "};");
     const bool plus = text.find("contribution.rise") != std::string::npos;
     const bool points = text.find("contribution.points") != std::string::npos;
     add("crease_contribution",

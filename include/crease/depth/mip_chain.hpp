@@ -21,7 +21,7 @@ struct mip_chain_part {
         .kind = role::depth_source,
         .name = "mip_chain",
         .summary =
-            "sums over ever larger squares, in ever smaller images: the mean of an area as filters take it",
+            "sums over ever larger squares, in ever smaller images: an area is what filters take for it",
         .source = "statistical-volumetric-obscurance 2015, 3.3",
         .glsl = &mip_chain_glsl,
         .numbers = areas::levels_take,

@@ -20,7 +20,7 @@ struct n_buffer_part {
     static constexpr part description = areas::source_of_levels({
         .kind = role::depth_source,
         .name = "n_buffer",
-        .summary = "sums over squares of each power of two at each texel: the mean of an area from four",
+        .summary = "sums over squares of each power of two at each texel: an area is four of them",
         .source = "statistical-volumetric-obscurance 2015, 3.3",
         .glsl = &n_buffer_glsl,
         .numbers = areas::levels_take,

@@ -12,8 +12,8 @@ inline constexpr glsl_file line_volume_glsl{
 #include <crease/estimator/line_volume.glsl>
 };
 
-/// Estimator: volumetric obscurance by lines. Of a sphere it is the share beyond the half that a plane fills,
-/// doubled.
+/// Estimator: volumetric obscurance by lines. Of a sphere it is what is filled beyond the half that a plane
+/// fills, as a share of the other half.
 struct line_volume {
     using needs = traits<line_taps, depth_layers>;
     static constexpr const glsl_file* helpers[] = {&volume_glsl};

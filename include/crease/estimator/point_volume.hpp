@@ -12,13 +12,14 @@ inline constexpr glsl_file point_volume_glsl{
 #include <crease/estimator/point_volume.glsl>
 };
 
-/// Estimator: volumetric obscurance by points, as the first SSAO. Of a sphere it is the share beyond the half
-/// that a plane fills, doubled.
+/// Estimator: volumetric obscurance by points, as the first SSAO. Of a sphere it is what is filled beyond the
+/// half that a plane fills, as a share of the other half.
 struct point_volume {
     using needs = traits<point_taps, depth_layers>;
     static constexpr const glsl_file* helpers[] = {&volume_glsl};
     static constexpr setting reads[] = {
-        {"bias", &parameters::bias, 0.01f, 0, 1, "how far a point must be behind a surface, in radii"},
+        {"bias", &parameters::bias, 0.01f, 0, 1,
+         "height over or under the tangent plane, in radii, up to which a point is left out"},
         {"falloff", &parameters::falloff, 1, 0.01f, 100,
          "distance over which a surface before the volume ceases to count, in radii"},
         {"strength", &parameters::strength, 1, 0, 16, "factor of the occlusion"},

@@ -23,7 +23,7 @@ inline constexpr glsl_file unsharp_mask_areas_glsl{
 };
 
 /// Estimator: the unsharp mask of the depth buffer. Depth is measured against the far plane; where there is
-/// none, nothing is occluded. Over depth sources of areas a layer is left out as a whole, by its mean.
+/// none, against the AO radius. Over depth sources of areas a layer is left out as a whole, by its mean.
 struct unsharp_mask {
     using needs = traits<window_taps>;
     static constexpr const glsl_file* helpers[] = {&unsharp_mask_depth_glsl};
@@ -31,7 +31,9 @@ struct unsharp_mask {
                                      {&area_means::value, &unsharp_mask_areas_glsl, format::rg32_float}};
     static constexpr setting reads[] = {
         {"threshold", &parameters::threshold, 0.02f, 1e-6f, 1,
-         "difference of linearised depth from which a neighbour is left out; the far plane has 1"},
+         "difference of linearised depth from which a neighbour is left out; the far plane has 1, or 50 "
+         "radii "
+         "do where there is none"},
         {"strength", &parameters::strength, 20, 0, 1000, "factor of the difference"},
         {"exponent", &parameters::exponent, 1, 0.01f, 16, "power of the visibility"},
     };

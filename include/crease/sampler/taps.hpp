@@ -13,13 +13,11 @@ CREASE_TRAIT(screen_taps, sampler,
 CREASE_TRAIT(ordered_taps, sampler,
              "the estimator needs taps in order along directions, which the sampler does not propose");
 
-/// Taps at points of view space that fill a sphere or a hemisphere around the receiver; `float
-/// crease_volume_behind()` says which share of it a plane through the receiver fills.
+/// Taps at points of view space that fill a sphere or a hemisphere around the receiver.
 CREASE_TRAIT(point_taps, sampler,
              "the estimator needs taps at points in space, which the sampler does not propose");
 
-/// Taps along the rays of texels, each the chord of a sphere or a hemisphere around the receiver; with
-/// `crease_volume_behind` likewise.
+/// Taps along the rays of texels, each the chord of a sphere or a hemisphere around the receiver.
 CREASE_TRAIT(line_taps, sampler,
              "the estimator needs taps along lines through a volume, which the sampler does not propose");
 
@@ -58,6 +56,11 @@ inline constexpr glsl_file point_tap_glsl{
 inline constexpr glsl_file line_tap_glsl{
     "sampler/line_tap.glsl",
 #include <crease/sampler/line_tap.glsl>
+};
+
+inline constexpr glsl_file texel_ray_glsl{
+    "sampler/texel_ray.glsl",
+#include <crease/sampler/texel_ray.glsl>
 };
 
 inline constexpr glsl_file disk_lines_glsl{

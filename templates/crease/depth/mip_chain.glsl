@@ -2,8 +2,9 @@
 R"glsl("
 #endif
 // SPDX-License-Identifier: MIT
-// The sum over a box as texture filters take it: between the texels of two levels of a mip chain, whose two texels are
-// as wide as the box: statistical-volumetric-obscurance 3.3.
+// The sums over a box by the texels that texture filters take: four around its middle in each of two levels of a mip
+// chain, of which two texels are as wide as the box: statistical-volumetric-obscurance 3.3. Each is a layer of its own,
+// as the mean of all would take a far surface in one texel for a near one.
 
 vec4 crease_areas_at(ivec3 texel);
 ivec2 crease_areas_size();
@@ -12,24 +13,24 @@ vec4 crease_areas_edges(vec4 area);
 int crease_areas_divisor() { return crease_mip_chain_divisor; }
 
 struct crease_areas {
-    vec4 sum;
+    vec4 sums[8];
 };
 
-// The sum for each texel of level 0 between the texels of a level.
-vec4 crease_mip_chain_between(vec2 texel, int level) {
+// Those of a level, as a filter weighs them, out of as many texels of level 0 as `texels` says.
+void crease_mip_chain_between(inout crease_areas areas, vec2 texel, int level, int to, float texels) {
     ivec2 size = (crease_areas_size() + (1 << level) - 1) >> level;
     vec2 corner = texel / float(1 << level) - 0.5;
     ivec2 first = ivec2(floor(corner));
     vec2 share = corner - vec2(first);
-    vec4 sum = vec4(0.0);
     crease_unroll for (int j = 0; j < 2; ++j)
         crease_unroll for (int i = 0; i < 2; ++i) {
             ivec2 at = first + ivec2(i, j);
             vec2 weight = mix(1.0 - share, share, vec2(i, j));
             bool inside = at == clamp(at, ivec2(0), size - 1);
-            sum += (inside ? weight.x * weight.y : 0.0) * crease_areas_at(ivec3(clamp(at, ivec2(0), size - 1), level));
+            float texels_of_each = inside ? texels * weight.x * weight.y : 0.0;
+            areas.sums[to + 2 * j + i] = crease_areas_at(ivec3(clamp(at, ivec2(0), size - 1), level)) *
+                (texels_of_each / float(1 << (2 * level)));
         }
-    return sum / float(1 << (2 * level));
 }
 
 crease_areas crease_fetch_areas(vec4 area) {
@@ -37,13 +38,16 @@ crease_areas crease_fetch_areas(vec4 area) {
     vec2 size = box.zw - box.xy, middle = 0.5 * (box.xy + box.zw);
     float level = clamp(log2(max(max(size.x, size.y), 1.0)) - 1.0, 0.0, float(crease_mip_chain_levels - 1));
     int lower = int(level), upper = min(lower + 1, crease_mip_chain_levels - 1);
-    vec4 sum = mix(crease_mip_chain_between(middle, lower), crease_mip_chain_between(middle, upper), fract(level));
-    return crease_areas(size.x * size.y * sum);
+    float texels = size.x * size.y;
+    crease_areas areas;
+    crease_mip_chain_between(areas, middle, lower, 0, texels * (1.0 - fract(level)));
+    crease_mip_chain_between(areas, middle, upper, 4, texels * fract(level));
+    return areas;
 }
 
-int crease_area_count() { return 1; }
+int crease_area_count() { return 8; }
 
-vec4 crease_area_sum(crease_areas areas, int layer) { return areas.sum; }
+vec4 crease_area_sum(crease_areas areas, int layer) { return areas.sums[layer]; }
 #ifdef __cplusplus
 ")glsl"
 #endif

@@ -2,11 +2,16 @@
 R"glsl("
 #endif
 // SPDX-License-Identifier: MIT
-// Range-checked points: stochastic-depth-ao, Algorithm 1.
+// Range-checked points: stochastic-depth-ao, Algorithm 1. Geometry further than the radius is ignored, as 4.1 says; the
+// listing's smoothstep of R / |p.z - d| would leave half of it there at two radii. What hides a point from the eye and is
+// out of range says nothing of it.
+
+float crease_depth_rounding(float depth);
 
 struct crease_estimate {
     float occluded; // points
     float points;
+    float rounding; // of depth
 };
 
 struct crease_contribution {
@@ -14,21 +19,25 @@ struct crease_contribution {
     float points;
 };
 
-crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_estimate(0.0, 0.0); }
+crease_estimate crease_estimate_begin(crease_receiver receiver) {
+    return crease_estimate(0.0, 0.0, crease_depth_rounding(-receiver.position.z));
+}
 
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 
 // A point close to the tangent plane says nothing, as rounding may put it behind the surface.
 bool crease_ssao_over(crease_receiver receiver, crease_tap tap) {
-    return dot(tap.point - receiver.position, receiver.normal) > crease_bias * crease_radius;
+    return dot(tap.offset, receiver.normal) > crease_bias * crease_radius;
 }
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     if (!tap.inside || !crease_ssao_over(receiver, tap))
         return crease_contribution(0.0, 0.0);
-    float apart = abs(receiver.position.z - position.z);
-    float in_range = smoothstep(0.0, 1.0, crease_radius / max(apart, 1e-20));
-    return crease_contribution(position.z >= tap.point.z ? in_range : 0.0, 1.0);
+    float before = position.z - receiver.position.z;
+    if (before - estimate.rounding < tap.offset.z)
+        return crease_contribution(0.0, 1.0);
+    float in_range = smoothstep(0.0, 1.0, 2.0 * (1.0 - before / crease_radius));
+    return crease_contribution(in_range, in_range);
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {

@@ -10,9 +10,9 @@ bool crease_ssao_over(crease_receiver receiver, crease_tap tap);
 
 void crease_bend_tap(inout crease_bend bend, crease_receiver receiver, crease_tap tap,
                      crease_contribution contribution) {
-    vec3 to_point = tap.point - receiver.position;
-    float open = crease_ssao_over(receiver, tap) ? 1.0 - contribution.occlusion : 0.0;
-    bend.sum += to_point * (open * inversesqrt(max(dot(to_point, to_point), 1e-30)));
+    float known = tap.inside ? contribution.points : 1.0;
+    float open = crease_ssao_over(receiver, tap) ? known - contribution.occlusion : 0.0;
+    bend.sum += tap.offset * (open * inversesqrt(max(dot(tap.offset, tap.offset), 1e-30)));
     bend.weight += open;
 }
 

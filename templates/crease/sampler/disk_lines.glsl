@@ -6,9 +6,9 @@ R"glsl("
 // angles, turned and its radii shifted by the noise of the pixel.
 
 vec2 crease_noise(ivec2 pixel);
-vec3 crease_view_position(vec2 texel, float depth);
+void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out vec3 ray);
 int crease_step_count();
-void crease_line_clip(crease_receiver receiver, vec3 start, vec3 ray, inout vec2 chord);
+vec3 crease_line_chord(vec2 chord, vec2 over); // which part of a chord counts, and what of that is not over the plane
 
 struct crease_pattern {
     vec2 direction; // unit, on the disk that faces the eye
@@ -31,17 +31,18 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
                              golden_angle.y * pattern.direction.x + golden_angle.x * pattern.direction.y);
     float distance = sqrt((float(step) + pattern.offset) / float(crease_step_count()));
     vec2 texel = floor(receiver.texel + 0.5 + receiver.disk * (pattern.direction * distance));
-    // The ray as start + t * ray from the receiver: at t = 0 it is as deep as the receiver, and t counts depth.
-    float depth = -receiver.position.z;
-    vec3 at_depth = crease_view_position(texel, depth);
-    vec3 start = at_depth - receiver.position;
-    vec3 ray = crease_view_position(texel, depth + 1.0) - at_depth;
+    vec3 start, ray;
+    crease_texel_ray(receiver, texel, start, ray);
     float middle = -dot(start, ray) / dot(ray, ray);
     vec3 nearest = start + ray * middle;
     float half_chord = sqrt(max(crease_radius * crease_radius - dot(nearest, nearest), 0.0) / dot(ray, ray));
     vec2 chord = vec2(middle - half_chord, middle + half_chord);
-    crease_line_clip(receiver, start, ray, chord);
-    return crease_tap(texel, crease_inside(texel), depth + chord.x, depth + chord.y);
+    // Over the tangent plane is what is in front of it, or behind where the ray comes from under it.
+    float rise = dot(ray, receiver.normal);
+    float plane = -dot(start, receiver.normal) / (abs(rise) < 1e-6 ? (rise < 0.0 ? -1e-6 : 1e-6) : rise);
+    plane = clamp(plane, chord.x, chord.y);
+    vec3 counts = crease_line_chord(chord, rise < 0.0 ? vec2(chord.x, plane) : vec2(plane, chord.y));
+    return crease_tap(texel, crease_inside(texel), counts.x, counts.y, counts.z);
 }
 #ifdef __cplusplus
 ")glsl"

@@ -6,19 +6,7 @@ R"glsl("
 
 int crease_step_count() { return crease_hemisphere_lines_count; }
 
-float crease_volume_behind() { return 0.0; }
-
-// Keeps the side of the plane that the normal points to: in front of where the ray meets it, or behind where the ray
-// comes from under it.
-void crease_line_clip(crease_receiver receiver, vec3 start, vec3 ray, inout vec2 chord) {
-    float height = dot(start, receiver.normal);
-    float rise = dot(ray, receiver.normal);
-    float plane = -height / (abs(rise) < 1e-6 ? 1e-6 : rise);
-    if (rise < 0.0)
-        chord.y = min(chord.y, plane);
-    else
-        chord.x = max(chord.x, plane);
-}
+vec3 crease_line_chord(vec2 chord, vec2 over) { return vec3(over, 0.0); }
 #ifdef __cplusplus
 ")glsl"
 #endif

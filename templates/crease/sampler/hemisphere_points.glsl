@@ -7,8 +7,8 @@ R"glsl("
 // behind a surface at distance d is the cosine-weighted occlusion with a linear falloff, 1 - d / R.
 
 vec2 crease_noise(ivec2 pixel);
-vec3 crease_view_position(vec2 texel, float depth);
 vec2 crease_texel_at(vec3 position);
+void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out vec3 ray);
 
 struct crease_pattern {
     vec3 tangent, bitangent; // view space, unit
@@ -29,8 +29,6 @@ int crease_direction_count() { return 1; }
 
 int crease_step_count() { return crease_hemisphere_points_count; }
 
-float crease_volume_behind() { return 0.0; }
-
 vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
@@ -40,12 +38,15 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     pattern.distance = fract(pattern.distance + 0.75487767);
     float share = (float(step) + 0.5) / float(crease_hemisphere_points_count);
     vec2 sideways = pattern.direction * sqrt(share);
-    vec3 point = receiver.position + (crease_radius * pattern.distance) *
+    vec3 offset = (crease_radius * pattern.distance) *
         (pattern.tangent * sideways.x + pattern.bitangent * sideways.y + receiver.normal * sqrt(1.0 - share));
+    vec3 point = receiver.position + offset;
     vec2 texel = floor(crease_texel_at(point) + 0.5);
-    vec3 moved = crease_view_position(texel, -point.z);
+    vec3 start, ray;
+    crease_texel_ray(receiver, texel, start, ray);
+    vec3 moved = start - ray * offset.z;
     // A point that its texel moved out of the hemisphere says nothing; so a plane is unoccluded at every slant.
-    bool above = dot(moved - receiver.position, receiver.normal) > 0.0;
+    bool above = dot(moved, receiver.normal) > 0.0;
     return crease_tap(texel, above && point.z < 0.0 && crease_inside(texel), moved);
 }
 #ifdef __cplusplus

@@ -6,7 +6,8 @@ R"glsl("
 struct crease_tap {
     vec2 texel;
     bool inside;     // whether the texel is in the depth image; else it has no weight
-    float near, far; // depths where the ray enters and leaves; near >= far where it misses
+    float near, far; // depths from the receiver's where the ray enters and leaves; near >= far where it misses
+    float under;     // how much of that is under the receiver's tangent plane
 };
 #ifdef __cplusplus
 ")glsl"

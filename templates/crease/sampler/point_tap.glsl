@@ -6,7 +6,7 @@ R"glsl("
 struct crease_tap {
     vec2 texel;
     bool inside; // whether the texel is in the depth image; else it has no weight
-    vec3 point;
+    vec3 offset; // from the receiver, view space
 };
 #ifdef __cplusplus
 ")glsl"

@@ -6,9 +6,7 @@ R"glsl("
 
 int crease_step_count() { return crease_sphere_lines_count; }
 
-float crease_volume_behind() { return 0.5; }
-
-void crease_line_clip(crease_receiver receiver, vec3 start, vec3 ray, inout vec2 chord) {}
+vec3 crease_line_chord(vec2 chord, vec2 over) { return vec3(chord, (chord.y - chord.x) - (over.y - over.x)); }
 #ifdef __cplusplus
 ")glsl"
 #endif

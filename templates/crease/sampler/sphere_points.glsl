@@ -6,8 +6,8 @@ R"glsl("
 // distances shifted by the noise of the pixel: statistical-volumetric-obscurance 2.2 and (4.1).
 
 vec2 crease_noise(ivec2 pixel);
-vec3 crease_view_position(vec2 texel, float depth);
 vec2 crease_texel_at(vec3 position);
+void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out vec3 ray);
 
 struct crease_pattern {
     vec2 direction; // unit, on the disk that faces the eye
@@ -24,8 +24,6 @@ int crease_direction_count() { return 1; }
 
 int crease_step_count() { return crease_sphere_points_count; }
 
-float crease_volume_behind() { return 0.5; }
-
 vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
@@ -35,10 +33,13 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     pattern.volume = fract(pattern.volume + 0.75487767);
     float height = 1.0 - (2.0 * float(step) + 1.0) / float(crease_sphere_points_count);
     vec2 sideways = pattern.direction * sqrt(1.0 - height * height);
-    vec3 point = receiver.position + (crease_radius * pow(pattern.volume, 1.0 / 3.0)) *
+    vec3 offset = (crease_radius * pow(pattern.volume, 1.0 / 3.0)) *
         (receiver.across * sideways.x + receiver.up * sideways.y + receiver.to_eye * height);
+    vec3 point = receiver.position + offset;
     vec2 texel = floor(crease_texel_at(point) + 0.5);
-    return crease_tap(texel, point.z < 0.0 && crease_inside(texel), crease_view_position(texel, -point.z));
+    vec3 start, ray;
+    crease_texel_ray(receiver, texel, start, ray);
+    return crease_tap(texel, point.z < 0.0 && crease_inside(texel), start - ray * offset.z);
 }
 #ifdef __cplusplus
 ")glsl"

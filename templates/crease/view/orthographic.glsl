@@ -9,6 +9,9 @@ float crease_linear_depth(float device) {
     return depth < crease_view.far_depth ? depth : crease_background; // the far plane occludes nothing
 }
 
+// How far rounding of the depth buffer, and of what is made of it, may bring two depths of one surface apart.
+float crease_depth_rounding(float depth) { return 1.8e-7 * (depth + abs(depth - crease_view.depth_unpack.y)); }
+
 vec3 crease_view_position(vec2 texel, float depth) {
     return vec3(texel * crease_view.from_texel.xy + crease_view.from_texel.zw, -depth);
 }

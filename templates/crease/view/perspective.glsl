@@ -9,6 +9,11 @@ float crease_linear_depth(float device) {
     return inverse * crease_view.far_depth > 1.0 ? 1.0 / inverse : crease_background; // the far plane occludes nothing
 }
 
+// How far rounding of the depth buffer, and of what is made of it, may bring two depths of one surface apart.
+float crease_depth_rounding(float depth) {
+    return 1.8e-7 * depth * (1.0 + abs(1.0 - depth * crease_view.depth_unpack.y)); // a device depth is 1 / depth less this
+}
+
 vec3 crease_view_position(vec2 texel, float depth) {
     return vec3(texel * crease_view.from_texel.xy + crease_view.from_texel.zw, -1.0) * depth;
 }

@@ -118,6 +118,9 @@ float crease_linear_depth(float device) {
     return depth < crease_view.far_depth ? depth : crease_background; // the far plane occludes nothing
 }
 
+// How far rounding of the depth buffer, and of what is made of it, may bring two depths of one surface apart.
+float crease_depth_rounding(float depth) { return 1.8e-7 * (depth + abs(depth - crease_view.depth_unpack.y)); }
+
 vec3 crease_view_position(vec2 texel, float depth) {
     return vec3(texel * crease_view.from_texel.xy + crease_view.from_texel.zw, -depth);
 }
@@ -206,16 +209,28 @@ vec2 crease_noise(ivec2 pixel) {
 struct crease_tap {
     vec2 texel;
     bool inside; // whether the texel is in the depth image; else it has no weight
-    vec3 point;
+    vec3 offset; // from the receiver, view space
 };
+// SPDX-License-Identifier: MIT
+// The ray of a texel by the receiver: start + t * ray from it, where t counts depth and is 0 where the receiver is.
+// Differences are of rays alone, as those of positions keep nothing of a radius that is small beside the distance.
+
+vec3 crease_view_position(vec2 texel, float depth);
+
+void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out vec3 ray) {
+    vec3 eye = crease_view_position(texel, 0.0), own_eye = crease_view_position(receiver.texel, 0.0);
+    vec3 own_ray = crease_view_position(receiver.texel, 1.0) - own_eye;
+    ray = crease_view_position(texel, 1.0) - eye;
+    start = (eye - own_eye) - (ray - own_ray) * receiver.position.z;
+}
 // SPDX-License-Identifier: MIT
 // Points in the hemisphere over the receiver, turned about the normal by a random angle per pixel:
 // stochastic-depth-ao 4.1. Directions are distributed by the cosine and distances evenly, so that the share of points
 // behind a surface at distance d is the cosine-weighted occlusion with a linear falloff, 1 - d / R.
 
 vec2 crease_noise(ivec2 pixel);
-vec3 crease_view_position(vec2 texel, float depth);
 vec2 crease_texel_at(vec3 position);
+void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out vec3 ray);
 
 struct crease_pattern {
     vec3 tangent, bitangent; // view space, unit
@@ -236,8 +251,6 @@ int crease_direction_count() { return 1; }
 
 int crease_step_count() { return crease_hemisphere_points_count; }
 
-float crease_volume_behind() { return 0.0; }
-
 vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
@@ -247,20 +260,28 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     pattern.distance = fract(pattern.distance + 0.75487767);
     float share = (float(step) + 0.5) / float(crease_hemisphere_points_count);
     vec2 sideways = pattern.direction * sqrt(share);
-    vec3 point = receiver.position + (crease_radius * pattern.distance) *
+    vec3 offset = (crease_radius * pattern.distance) *
         (pattern.tangent * sideways.x + pattern.bitangent * sideways.y + receiver.normal * sqrt(1.0 - share));
+    vec3 point = receiver.position + offset;
     vec2 texel = floor(crease_texel_at(point) + 0.5);
-    vec3 moved = crease_view_position(texel, -point.z);
+    vec3 start, ray;
+    crease_texel_ray(receiver, texel, start, ray);
+    vec3 moved = start - ray * offset.z;
     // A point that its texel moved out of the hemisphere says nothing; so a plane is unoccluded at every slant.
-    bool above = dot(moved - receiver.position, receiver.normal) > 0.0;
+    bool above = dot(moved, receiver.normal) > 0.0;
     return crease_tap(texel, above && point.z < 0.0 && crease_inside(texel), moved);
 }
 // SPDX-License-Identifier: MIT
-// Range-checked points: stochastic-depth-ao, Algorithm 1.
+// Range-checked points: stochastic-depth-ao, Algorithm 1. Geometry further than the radius is ignored, as 4.1 says; the
+// listing's smoothstep of R / |p.z - d| would leave half of it there at two radii. What hides a point from the eye and is
+// out of range says nothing of it.
+
+float crease_depth_rounding(float depth);
 
 struct crease_estimate {
     float occluded; // points
     float points;
+    float rounding; // of depth
 };
 
 struct crease_contribution {
@@ -268,21 +289,25 @@ struct crease_contribution {
     float points;
 };
 
-crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_estimate(0.0, 0.0); }
+crease_estimate crease_estimate_begin(crease_receiver receiver) {
+    return crease_estimate(0.0, 0.0, crease_depth_rounding(-receiver.position.z));
+}
 
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 
 // A point close to the tangent plane says nothing, as rounding may put it behind the surface.
 bool crease_ssao_over(crease_receiver receiver, crease_tap tap) {
-    return dot(tap.point - receiver.position, receiver.normal) > crease_bias * crease_radius;
+    return dot(tap.offset, receiver.normal) > crease_bias * crease_radius;
 }
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     if (!tap.inside || !crease_ssao_over(receiver, tap))
         return crease_contribution(0.0, 0.0);
-    float apart = abs(receiver.position.z - position.z);
-    float in_range = smoothstep(0.0, 1.0, crease_radius / max(apart, 1e-20));
-    return crease_contribution(position.z >= tap.point.z ? in_range : 0.0, 1.0);
+    float before = position.z - receiver.position.z;
+    if (before - estimate.rounding < tap.offset.z)
+        return crease_contribution(0.0, 1.0);
+    float in_range = smoothstep(0.0, 1.0, 2.0 * (1.0 - before / crease_radius));
+    return crease_contribution(in_range, in_range);
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {
