@@ -18,7 +18,12 @@ tap texel_of(glm::dvec2 coordinates) {
     return {static_cast<int>(std::floor(coordinates.x)), static_cast<int>(std::floor(coordinates.y)), {}, {}};
 }
 
-/// The share of a way across the picture, at most all of it, after which it leaves the picture.
+double falloff(double distance, double radius) {
+    return 1 - (distance / radius) * (distance / radius);
+}
+
+}
+
 double share_inside(const picture& p, glm::dvec2 from, glm::dvec2 way) {
     const glm::dvec2 edges(way.x > 0 ? p.width : 0, way.y > 0 ? p.height : 0);
     double share = 1;
@@ -28,10 +33,20 @@ double share_inside(const picture& p, glm::dvec2 from, glm::dvec2 way) {
     return share;
 }
 
-double falloff(double distance, double radius) {
-    return 1 - (distance / radius) * (distance / radius);
-}
-
+glm::dvec3 offset_inside(const picture& p, const receiver& r, glm::dvec3 offset) {
+    const double depth = -r.position.z;
+    if (offset.z > 0.9 * depth)
+        offset *= 0.9 * depth / offset.z;
+    double inside = 0, outside = 1;
+    const auto is_inside = [&](double share) {
+        const glm::dvec2 at = p.project(r.position + share * offset);
+        return at.x >= 0 && at.y >= 0 && at.x <= p.width && at.y <= p.height;
+    };
+    if (is_inside(1))
+        return offset;
+    for (int i = 0; i < 50; ++i)
+        (is_inside((inside + outside) / 2) ? inside : outside) = (inside + outside) / 2;
+    return inside * offset;
 }
 
 glm::dvec2 noise(int x, int y, const settings& s) {
@@ -160,11 +175,11 @@ std::vector<std::vector<tap>> hemisphere_points(const picture& p, const receiver
     std::vector<tap> taps;
     for (int i = 0; i < count; ++i) {
         const double angle = two_pi * random.x + golden_angle * (i + 1);
-        const double distance = s.radius * std::fmod(random.y + 0.75487767 * (i + 1), 1.0);
+        const double distance = std::fmod(random.y + 0.75487767 * (i + 1), 1.0);
         const double sine = std::sqrt((i + 0.5) / count), cosine = std::sqrt(1 - sine * sine);
-        const glm::dvec3 point =
-            r.position + distance * (sine * std::cos(angle) * tangent + sine * std::sin(angle) * bitangent +
-                                     cosine * r.normal);
+        const glm::dvec3 way = s.radius * (sine * std::cos(angle) * tangent +
+                                           sine * std::sin(angle) * bitangent + cosine * r.normal);
+        const glm::dvec3 point = r.position + distance * offset_inside(p, r, way);
         if (!(point.z < 0))
             continue;
         tap t = texel_of(p.project(point));

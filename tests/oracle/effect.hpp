@@ -59,6 +59,13 @@ double rise_over_tangent(const receiver& r, glm::dvec3 offset);
 /// The angle of the tangent plane in the slice of an azimuth and the eye, radians.
 double tangent_angle(const receiver& r, glm::dvec3 azimuth);
 
+/// The share of a way across the picture, at most all of it, after which it leaves the picture.
+double share_inside(const picture& p, glm::dvec2 from, glm::dvec2 way);
+
+/// An offset from a receiver, cut where it leaves the picture or has come nine tenths of the way to the eye's
+/// plane.
+glm::dvec3 offset_inside(const picture& p, const receiver& r, glm::dvec3 offset);
+
 /// The taps of a receiver, direction by direction; those off the picture are left out.
 std::vector<std::vector<tap>> directions(const picture& p, const receiver& r, const settings& s, int count,
                                          int steps, int power = 2);

@@ -227,7 +227,7 @@ TEST_CASE("without a far plane differences of depth count in radii") {
                         expected.push_back(p.background(x, y) ? 0
                                                               : oracle::unsharp_shade_without_far(
                                                                     p, x, y, size, 1, threshold, 20));
-                const oracle::difference d = oracle::compare(shade, expected);
+                const oracle::difference d = oracle::compare(shade, expected, p.width);
                 CHECK(d.typical < 2e-3);
                 CHECK(d.mean < 2e-4);
                 CHECK(*std::max_element(expected.begin(), expected.end()) > 0.1);

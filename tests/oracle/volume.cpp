@@ -32,10 +32,11 @@ std::vector<tap> sphere_points(const picture& p, const receiver& r, const settin
     std::vector<tap> points;
     for (int i = 0; i < count; ++i) {
         const double angle = 2 * glm::pi<double>() * random.x + golden_angle * (i + 1);
-        const double distance = s.radius * std::cbrt(std::fmod(random.y + 0.75487767 * (i + 1), 1.0));
+        const double distance = std::cbrt(std::fmod(random.y + 0.75487767 * (i + 1), 1.0));
         const double cosine = 1 - (2 * i + 1.0) / count, sine = std::sqrt(1 - cosine * cosine);
-        const glm::dvec3 point = r.position + distance * (sine * std::cos(angle) * across +
-                                                          sine * std::sin(angle) * up + cosine * r.to_eye);
+        const glm::dvec3 way =
+            s.radius * (sine * std::cos(angle) * across + sine * std::sin(angle) * up + cosine * r.to_eye);
+        const glm::dvec3 point = r.position + distance * offset_inside(p, r, way);
         if (!(point.z < 0))
             continue;
         const glm::dvec2 at = p.project(point);
@@ -58,11 +59,12 @@ std::vector<line> disk_lines(const picture& p, const receiver& r, const settings
     std::vector<line> lines;
     for (int i = 0; i < count; ++i) {
         const double angle = 2 * glm::pi<double>() * random.x + golden_angle * (i + 1);
-        const double distance = s.radius * std::sqrt((i + random.y) / count);
-        const glm::dvec2 along =
-            texel_offset(p, r, distance * (std::cos(angle) * across + std::sin(angle) * up));
-        line l{static_cast<int>(std::floor(r.x + 0.5 + along.x)),
-               static_cast<int>(std::floor(r.y + 0.5 + along.y)), 0, 0, 0};
+        const glm::dvec2 centre(r.x + 0.5, r.y + 0.5),
+            whole = texel_offset(p, r, s.radius * (std::cos(angle) * across + std::sin(angle) * up));
+        const double share = share_inside(p, centre, whole);
+        const glm::dvec2 at = centre + whole * share * std::sqrt((i + random.y) / count);
+        line l{
+            static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)), 0, 0, 0, share * share};
         if (!p.contains(l.x, l.y))
             continue;
         glm::dvec3 origin, ray;
@@ -111,8 +113,8 @@ double line_volume(const picture& p, const receiver& r, const settings& s, const
         if (!(l.far > l.near))
             continue;
         const double depth = surface_depth(p, l.x, l.y);
-        more += reach(r, s, depth) * (l.far - std::clamp(depth, l.near, l.far) - l.under);
-        empty += l.far - l.near - l.under;
+        more += l.weight * reach(r, s, depth) * (l.far - std::clamp(depth, l.near, l.far) - l.under);
+        empty += l.weight * (l.far - l.near - l.under);
     }
     return std::max(more / std::max(empty, 0.1 * s.radius), 0.0);
 }

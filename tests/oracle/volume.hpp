@@ -12,6 +12,7 @@ namespace oracle {
 struct line {
     int x, y;
     double near, far, under;
+    double weight = 1; ///< by the area of the picture that it stands for
 };
 
 /// The points of a receiver, those off the picture left out.

@@ -11,7 +11,8 @@ inline constexpr glsl_file hemisphere_lines_glsl{
 };
 
 struct hemisphere_lines_part {
-    static constexpr const glsl_file* helpers[] = {&line_tap_glsl, &texel_ray_glsl, &disk_lines_glsl};
+    static constexpr const glsl_file* helpers[] = {&line_tap_glsl, &texel_ray_glsl, &share_inside_glsl,
+                                                   &disk_lines_glsl};
     static constexpr number takes[] = {{"count", 1, 256, 12, "lines through the hemisphere"}};
     static constexpr part description{
         .kind = role::sampler,

@@ -31,8 +31,9 @@ crease_contribution crease_weigh(crease_estimate estimate, crease_receiver recei
     float before = position.z - receiver.position.z;
     float whole = max(tap.far - tap.near, 0.0);
     float filled = clamp(tap.far + before - estimate.rounding, 0.0, whole);
-    return tap.inside ? crease_contribution((filled - tap.under) * crease_volume_reach(before), whole - tap.under)
-                      : crease_contribution(0.0, 0.0);
+    float weight = tap.inside ? tap.weight : 0.0;
+    return crease_contribution(weight * (filled - tap.under) * crease_volume_reach(before),
+                               weight * (whole - tap.under));
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {

@@ -7,6 +7,7 @@ R"glsl("
 
 vec2 crease_noise(ivec2 pixel);
 void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out vec3 ray);
+float crease_share_inside(vec2 from, vec2 way);
 int crease_step_count();
 vec3 crease_line_chord(vec2 chord, vec2 over); // which part of a chord counts, and what of that is not over the plane
 
@@ -30,7 +31,9 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     pattern.direction = vec2(golden_angle.x * pattern.direction.x - golden_angle.y * pattern.direction.y,
                              golden_angle.y * pattern.direction.x + golden_angle.x * pattern.direction.y);
     float distance = sqrt((float(step) + pattern.offset) / float(crease_step_count()));
-    vec2 texel = floor(receiver.texel + 0.5 + receiver.disk * (pattern.direction * distance));
+    vec2 radius = receiver.disk * pattern.direction;
+    float share = crease_share_inside(receiver.texel + 0.5, radius);
+    vec2 texel = floor(receiver.texel + 0.5 + radius * (share * distance));
     vec3 start, ray;
     crease_texel_ray(receiver, texel, start, ray);
     float middle = -dot(start, ray) / dot(ray, ray);
@@ -42,7 +45,7 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     float plane = -dot(start, receiver.normal) / (abs(rise) < 1e-6 ? (rise < 0.0 ? -1e-6 : 1e-6) : rise);
     plane = clamp(plane, chord.x, chord.y);
     vec3 counts = crease_line_chord(chord, rise < 0.0 ? vec2(chord.x, plane) : vec2(plane, chord.y));
-    return crease_tap(texel, crease_inside(texel), counts.x, counts.y, counts.z);
+    return crease_tap(texel, crease_inside(texel), counts.x, counts.y, counts.z, share * share);
 }
 #ifdef __cplusplus
 ")glsl"

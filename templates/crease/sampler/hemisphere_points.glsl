@@ -8,6 +8,7 @@ R"glsl("
 
 vec2 crease_noise(ivec2 pixel);
 vec2 crease_texel_at(vec3 position);
+vec3 crease_offset_inside(crease_receiver receiver, vec3 offset);
 void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out vec3 ray);
 
 struct crease_pattern {
@@ -38,8 +39,9 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     pattern.distance = fract(pattern.distance + 0.75487767);
     float share = (float(step) + 0.5) / float(crease_hemisphere_points_count);
     vec2 sideways = pattern.direction * sqrt(share);
-    vec3 offset = (crease_radius * pattern.distance) *
+    vec3 way = crease_radius *
         (pattern.tangent * sideways.x + pattern.bitangent * sideways.y + receiver.normal * sqrt(1.0 - share));
+    vec3 offset = crease_offset_inside(receiver, way) * pattern.distance;
     vec3 point = receiver.position + offset;
     vec2 texel = floor(crease_texel_at(point) + 0.5);
     vec3 start, ray;

@@ -8,6 +8,7 @@ struct crease_tap {
     bool inside;     // whether the texel is in the depth image; else it has no weight
     float near, far; // depths from the receiver's where the ray enters and leaves; near >= far where it misses
     float under;     // how much of that is under the receiver's tangent plane
+    float weight;    // of the tap among those of the receiver, by the area that it stands for
 };
 #ifdef __cplusplus
 ")glsl"

@@ -129,6 +129,9 @@ vec2 crease_texel_at(vec3 position) {
     return (position.xy - crease_view.from_texel.zw) / crease_view.from_texel.xy;
 }
 
+// The share of a way in space, from one depth to another, that has so much of its picture.
+float crease_share_of_way(float share, float from, float to) { return share; }
+
 vec3 crease_to_eye(vec3 position) { return vec3(0.0, 0.0, 1.0); }
 
 void crease_axes(vec3 to_eye, out vec3 across, out vec3 up) {
@@ -224,12 +227,36 @@ void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out 
     start = (eye - own_eye) - (ray - own_ray) * receiver.position.z;
 }
 // SPDX-License-Identifier: MIT
+// How much of a way across the depth image stays in it, from 0 to 1: a march is cut at the picture's edge, so that a radius
+// that is larger than the picture still finds what is there. `from` and `way` in texels, edges being whole numbers.
+float crease_share_inside(vec2 from, vec2 way) {
+    vec2 after = crease_depth_size() - from;
+    vec2 share = vec2(way.x < 0.0 ? from.x : after.x, way.y < 0.0 ? from.y : after.y) * abs(1.0 / way);
+    return clamp(min(share.x, share.y), 0.0, 1.0);
+}
+// SPDX-License-Identifier: MIT
+// An offset from the receiver, cut where it leaves the picture or comes near the eye, so that a radius that is larger than
+// the picture still finds what is there.
+
+vec2 crease_texel_at(vec3 position);
+float crease_share_inside(vec2 from, vec2 way);
+float crease_share_of_way(float share, float from, float to);
+
+vec3 crease_offset_inside(crease_receiver receiver, vec3 offset) {
+    float depth = -receiver.position.z;
+    offset *= min(1.0, 0.9 * depth / max(offset.z, 1e-20));
+    vec2 way = crease_texel_at(receiver.position + offset) - receiver.texel;
+    float share = crease_share_inside(receiver.texel + 0.5, way);
+    return offset * crease_share_of_way(share, depth, depth - offset.z);
+}
+// SPDX-License-Identifier: MIT
 // Points in the hemisphere over the receiver, turned about the normal by a random angle per pixel:
 // stochastic-depth-ao 4.1. Directions are distributed by the cosine and distances evenly, so that the share of points
 // behind a surface at distance d is the cosine-weighted occlusion with a linear falloff, 1 - d / R.
 
 vec2 crease_noise(ivec2 pixel);
 vec2 crease_texel_at(vec3 position);
+vec3 crease_offset_inside(crease_receiver receiver, vec3 offset);
 void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out vec3 ray);
 
 struct crease_pattern {
@@ -260,8 +287,9 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     pattern.distance = fract(pattern.distance + 0.75487767);
     float share = (float(step) + 0.5) / float(crease_hemisphere_points_count);
     vec2 sideways = pattern.direction * sqrt(share);
-    vec3 offset = (crease_radius * pattern.distance) *
+    vec3 way = crease_radius *
         (pattern.tangent * sideways.x + pattern.bitangent * sideways.y + receiver.normal * sqrt(1.0 - share));
+    vec3 offset = crease_offset_inside(receiver, way) * pattern.distance;
     vec3 point = receiver.position + offset;
     vec2 texel = floor(crease_texel_at(point) + 0.5);
     vec3 start, ray;
