@@ -68,7 +68,7 @@ glm::dvec4 ssao_cone(const oracle::picture& p, const oracle::receiver& r, const 
     double open = 0;
     for (const oracle::tap& t : points) {
         const glm::dvec3 way = t.point - r.position;
-        if (!(glm::dot(way, r.normal) > s.bias * s.radius))
+        if (!(glm::dot(way, r.normal) > s.bias * std::min(s.radius, -r.position.z)))
             continue;
         if (p.position(t.x, t.y).z >= t.point.z)
             continue; // occluded, or hidden by what is out of range

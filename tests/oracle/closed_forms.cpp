@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace {
 
@@ -89,4 +90,25 @@ TEST_CASE("NaN, infinite and zero depth darken nothing around them") {
             for (float v : oracle::run(p, std::string(recipe) + parts, 0.5))
                 CHECK(v >= 0.99f);
         }
+}
+
+TEST_CASE("every sampler finds what is in the picture, however large the radius") {
+    // A corner of a floor and two walls: of what is open at all, the rays leave through the picture's edges.
+    const oracle::picture p = oracle::draw({{kind::plane, {0, -1, 0}, {0, 1, 0}},
+                                            {kind::plane, {0, 0, -4}, {0, 0, 1}},
+                                            {kind::plane, {-1.2, 0, 0}, {1, 0, 0}}},
+                                           lens::standard, 161, 107);
+    for (const char* recipe :
+         {"directions:4x4/single_layer/hbao", "directions:4x4/single_layer/hbao_plus",
+          "poisson_disk:16/single_layer/hbao_plus", "hemisphere_points:16/single_layer/ssao",
+          "hemisphere_points:16/single_layer/point_volume", "sphere_points:17/single_layer/point_volume"}) {
+        CAPTURE(std::string(recipe));
+        const auto mean = [&](double radius) {
+            const std::vector<float> image = oracle::run(p, recipe, radius);
+            return std::accumulate(image.begin(), image.end(), 0.0) / static_cast<double>(image.size());
+        };
+        const double large = mean(50);
+        CHECK(large < 0.82);
+        CHECK(std::abs(mean(1000) - large) < 0.005);
+    }
 }

@@ -33,20 +33,12 @@ double share_inside(const picture& p, glm::dvec2 from, glm::dvec2 way) {
     return share;
 }
 
-glm::dvec3 offset_inside(const picture& p, const receiver& r, glm::dvec3 offset) {
-    const double depth = -r.position.z;
-    if (offset.z > 0.9 * depth)
-        offset *= 0.9 * depth / offset.z;
-    double inside = 0, outside = 1;
-    const auto is_inside = [&](double share) {
-        const glm::dvec2 at = p.project(r.position + share * offset);
-        return at.x >= 0 && at.y >= 0 && at.x <= p.width && at.y <= p.height;
-    };
-    if (is_inside(1))
-        return offset;
-    for (int i = 0; i < 50; ++i)
-        (is_inside((inside + outside) / 2) ? inside : outside) = (inside + outside) / 2;
-    return inside * offset;
+double radius_inside(const picture& p, const receiver& r, double radius) {
+    glm::dvec3 across, up;
+    axes(p, r, across, up);
+    const glm::dvec2 a = texel_offset(p, r, across), b = texel_offset(p, r, up);
+    const double texels = std::sqrt(std::abs(a.x * b.y - a.y * b.x)); // of a unit
+    return std::min(radius, std::hypot(p.width, p.height) / 2 / texels);
 }
 
 glm::dvec2 noise(int x, int y, const settings& s) {
@@ -175,11 +167,12 @@ std::vector<std::vector<tap>> hemisphere_points(const picture& p, const receiver
     std::vector<tap> taps;
     for (int i = 0; i < count; ++i) {
         const double angle = two_pi * random.x + golden_angle * (i + 1);
-        const double distance = std::fmod(random.y + 0.75487767 * (i + 1), 1.0);
+        const double distance =
+            radius_inside(p, r, s.radius) * std::fmod(random.y + 0.75487767 * (i + 1), 1.0);
         const double sine = std::sqrt((i + 0.5) / count), cosine = std::sqrt(1 - sine * sine);
-        const glm::dvec3 way = s.radius * (sine * std::cos(angle) * tangent +
-                                           sine * std::sin(angle) * bitangent + cosine * r.normal);
-        const glm::dvec3 point = r.position + distance * offset_inside(p, r, way);
+        const glm::dvec3 point =
+            r.position + distance * (sine * std::cos(angle) * tangent + sine * std::sin(angle) * bitangent +
+                                     cosine * r.normal);
         if (!(point.z < 0))
             continue;
         tap t = texel_of(p.project(point));
@@ -196,20 +189,20 @@ double ssao(const picture& p, const receiver& r, const settings& s,
             const std::vector<std::vector<tap>>& taps) {
     double occluded = 0, points = 0;
     for (const tap& t : taps[0]) {
-        if (!(glm::dot(t.point - r.position, r.normal) > s.bias * s.radius))
+        if (!(glm::dot(t.point - r.position, r.normal) > s.bias * std::min(s.radius, -r.position.z)))
             continue;
-        double most = -1, known = 0; // of the layer that occludes the most, the first of equals
+        double most = 0; // of all layers
+        bool open = false;
         for (const glm::dvec3& position : p.positions(t.x, t.y)) {
             // What hides the point counts up to half a radius before the receiver, and less and less up to
             // one.
             const double x = std::clamp((s.radius - (position.z - r.position.z)) / (s.radius / 2), 0.0, 1.0);
-            const bool hides = position.z >= t.point.z;
-            const double occludes = hides ? x * x * (3 - 2 * x) : 0;
-            if (occludes > most) {
-                most = occludes;
-                known = hides ? occludes : 1;
-            }
+            if (position.z >= t.point.z)
+                most = std::max(most, x * x * (3 - 2 * x));
+            else
+                open = true;
         }
+        const double known = most > 0 ? most : open ? 1 : 0;
         occluded += most;
         points += known;
     }

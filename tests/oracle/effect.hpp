@@ -62,9 +62,8 @@ double tangent_angle(const receiver& r, glm::dvec3 azimuth);
 /// The share of a way across the picture, at most all of it, after which it leaves the picture.
 double share_inside(const picture& p, glm::dvec2 from, glm::dvec2 way);
 
-/// An offset from a receiver, cut where it leaves the picture or has come nine tenths of the way to the eye's
-/// plane.
-glm::dvec3 offset_inside(const picture& p, const receiver& r, glm::dvec3 offset);
+/// The radius, but no larger than half the picture's diagonal at the depth of a receiver.
+double radius_inside(const picture& p, const receiver& r, double radius);
 
 /// The taps of a receiver, direction by direction; those off the picture are left out.
 std::vector<std::vector<tap>> directions(const picture& p, const receiver& r, const settings& s, int count,

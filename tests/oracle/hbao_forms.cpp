@@ -28,14 +28,14 @@ double occlusion_of(const oracle::picture& p, const std::vector<oracle::surface>
     for (int i = 0; i < slices * offsets; ++i) {
         const double angle = 2 * glm::pi<double>() * (i + 0.5) / (slices * offsets);
         const glm::dvec3 azimuth = std::cos(angle) * across + std::sin(angle) * up;
-        const glm::dvec2 reach = oracle::texel_offset(p, r, radius * azimuth);
+        const glm::dvec2 centre(r.x + 0.5, r.y + 0.5), whole = oracle::texel_offset(p, r, radius * azimuth);
+        const glm::dvec2 reach = whole * oracle::share_inside(p, centre, whole);
         const double tangent = oracle::tangent_angle(r, azimuth);
         double highest = std::sin(tangent + bias);
         for (int step = 0; step < steps; ++step) {
             const double u = (step + (i % offsets + 0.5) / offsets) / steps;
             glm::dvec3 origin, direction, position, normal;
-            p.ray(glm::dvec2(r.x + 0.5, r.y + 0.5) + reach * (u * u + 1 / glm::length(reach)), origin,
-                  direction);
+            p.ray(centre + reach * (u * u + 1 / glm::length(reach)), origin, direction);
             if (!oracle::first_hit(scene, origin, direction, position, normal))
                 continue;
             const glm::dvec3 v = position - r.position;
@@ -86,6 +86,12 @@ TEST_CASE("floor by a wall, under an overhang, beside a step at a slant, in a sp
          lens::standard,
          1.6,
          {{200, 180}, {200, 172}, {120, 176}},
+         0.1},
+        {"a floor by a wall, with a radius far larger than the picture",
+         {{kind::plane, {0, -1, 0}, {0, 1, 0}}, {kind::plane, {0, 0, -4}, {0, 0, 1}}},
+         lens::standard,
+         1000.0,
+         {{200, 190}, {150, 210}, {260, 250}},
          0.1},
         {"beside a step at a slant",
          {{kind::plane, {0, 0, -4}, tilted}, {kind::half_plane, glm::dvec3(0, 0, -4) + 0.4 * tilted, tilted}},

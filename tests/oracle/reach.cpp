@@ -35,7 +35,7 @@ double settled(oracle::picture& p, const oracle::receiver& r, const taps& all, d
 oracle::visibility_image expect(oracle::picture& p, const oracle::settings& s, double front_reach,
                                 bool horizons) {
     return oracle::main_pass(p, s, 1, false, [&](const oracle::receiver& r) {
-        const taps all = oracle::directions(p, r, s, 6, 4);
+        const taps all = oracle::directions(p, r, s, 6, 4, 1);
         return settled(p, r, all, front_reach * s.radius, [&] {
             return horizons ? oracle::hbao(p, r, s, all) : oracle::hbao_plus(p, r, s, all);
         });
@@ -53,7 +53,7 @@ TEST_CASE("within front_reach the front surface settles its tap") {
             if (horizons && fold == "deferred_layers:0x4")
                 continue;
             const auto composed =
-                oracle::compose("directions:6x4/stochastic_layers:6/" +
+                oracle::compose("directions:6x4x1/stochastic_layers:6/" +
                                 std::string(horizons ? "hbao" : "hbao_plus") + "/atomic_minimum/" + fold);
             crease::vulkan::runner runner(oracle::device(), *composed, static_cast<unsigned>(p.width),
                                           static_cast<unsigned>(p.height));

@@ -42,7 +42,7 @@ std::vector<oracle::surface> scene() {
             {kind::sphere, {-0.5, 0, -6.5}, {0, 0, 1}, 0.8}};
 }
 
-const std::string recipe = "directions:6x4/stochastic_layers:4/hbao_plus/atomic_minimum/orthographic";
+const std::string recipe = "directions:6x4x1/stochastic_layers:4/hbao_plus/atomic_minimum/orthographic";
 
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("a second camera adds what it sees alone, be it a part, nothing or wha
         const oracle::settings s = oracle::settings_of(how);
         std::size_t by_second = 0;
         const auto expected = oracle::main_pass(first, s, 1, false, [&](const oracle::receiver& r) {
-            const double own = oracle::hbao_plus(first, r, s, oracle::directions(first, r, s, 6, 4));
+            const double own = oracle::hbao_plus(first, r, s, oracle::directions(first, r, s, 6, 4, 1));
             oracle::receiver other = r;
             other.position = glm::dvec3(camera.from_first * glm::dvec4(r.position, 1));
             if (!(other.position.z < 0))
@@ -89,7 +89,7 @@ TEST_CASE("a second camera adds what it sees alone, be it a part, nothing or wha
             other.x = static_cast<int>(std::floor(place.x));
             other.y = static_cast<int>(std::floor(place.y));
             const double seen =
-                oracle::hbao_plus(second, other, s, oracle::directions(second, other, s, 6, 4));
+                oracle::hbao_plus(second, other, s, oracle::directions(second, other, s, 6, 4, 1));
             by_second += seen > own + 0.01;
             return std::max(own, seen);
         });
@@ -100,7 +100,7 @@ TEST_CASE("a second camera adds what it sees alone, be it a part, nothing or wha
 
 TEST_CASE("a second camera that sees nothing leaves the picture of the first") {
     const oracle::picture first = oracle::draw_all(oracle::still_life(), lens::standard, width, height);
-    const std::string one = "directions:6x4/stochastic_layers:4/hbao_plus/atomic_minimum";
+    const std::string one = "directions:6x4x1/stochastic_layers:4/hbao_plus/atomic_minimum";
     const auto run = [&](const std::string& text, const glm::mat4& turn) {
         const auto composed = oracle::compose(text);
         crease::parameters how = oracle::view_parameters(first, *composed, 0.8);

@@ -32,11 +32,11 @@ std::vector<tap> sphere_points(const picture& p, const receiver& r, const settin
     std::vector<tap> points;
     for (int i = 0; i < count; ++i) {
         const double angle = 2 * glm::pi<double>() * random.x + golden_angle * (i + 1);
-        const double distance = std::cbrt(std::fmod(random.y + 0.75487767 * (i + 1), 1.0));
+        const double distance =
+            radius_inside(p, r, s.radius) * std::cbrt(std::fmod(random.y + 0.75487767 * (i + 1), 1.0));
         const double cosine = 1 - (2 * i + 1.0) / count, sine = std::sqrt(1 - cosine * cosine);
-        const glm::dvec3 way =
-            s.radius * (sine * std::cos(angle) * across + sine * std::sin(angle) * up + cosine * r.to_eye);
-        const glm::dvec3 point = r.position + distance * offset_inside(p, r, way);
+        const glm::dvec3 point = r.position + distance * (sine * std::cos(angle) * across +
+                                                          sine * std::sin(angle) * up + cosine * r.to_eye);
         if (!(point.z < 0))
             continue;
         const glm::dvec2 at = p.project(point);
@@ -94,7 +94,7 @@ double point_volume(const picture& p, const receiver& r, const settings& s, cons
     double more = 0, empty = 0;
     for (const tap& t : points) {
         const double height = glm::dot(t.point - r.position, r.normal);
-        if (std::abs(height) <= s.bias * s.radius)
+        if (std::abs(height) <= s.bias * std::min(s.radius, -r.position.z))
             continue;
         const double depth = surface_depth(p, t.x, t.y);
         const bool filled = depth < -t.point.z;

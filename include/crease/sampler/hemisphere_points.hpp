@@ -12,8 +12,7 @@ inline constexpr glsl_file hemisphere_points_glsl{
 };
 
 struct hemisphere_points_part {
-    static constexpr const glsl_file* helpers[] = {&point_tap_glsl, &texel_ray_glsl, &share_inside_glsl,
-                                                   &offset_inside_glsl};
+    static constexpr const glsl_file* helpers[] = {&point_tap_glsl, &texel_ray_glsl, &radius_inside_glsl};
     static constexpr number takes[] = {{"count", 1, 256, 16, "points in the hemisphere"}};
     static constexpr part description{
         .kind = role::sampler,

@@ -11,8 +11,7 @@ inline constexpr glsl_file sphere_points_glsl{
 };
 
 struct sphere_points_part {
-    static constexpr const glsl_file* helpers[] = {&point_tap_glsl, &texel_ray_glsl, &share_inside_glsl,
-                                                   &offset_inside_glsl};
+    static constexpr const glsl_file* helpers[] = {&point_tap_glsl, &texel_ray_glsl, &radius_inside_glsl};
     static constexpr number takes[] = {{"count", 1, 256, 16, "points in the sphere"}};
     static constexpr part description{
         .kind = role::sampler,

@@ -48,9 +48,9 @@ inline constexpr glsl_file share_inside_glsl{
 #include <crease/sampler/share_inside.glsl>
 };
 
-inline constexpr glsl_file offset_inside_glsl{
-    "sampler/offset_inside.glsl",
-#include <crease/sampler/offset_inside.glsl>
+inline constexpr glsl_file radius_inside_glsl{
+    "sampler/radius_inside.glsl",
+#include <crease/sampler/radius_inside.glsl>
 };
 
 inline constexpr glsl_file point_tap_glsl{

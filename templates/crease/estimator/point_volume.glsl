@@ -7,6 +7,7 @@ R"glsl("
 // with it, as of a few points half are not behind that.
 
 float crease_depth_rounding(float depth);
+float crease_point_bias(crease_receiver receiver);
 float crease_volume_reach(float before);
 float crease_volume_occlusion(float filled, float whole);
 
@@ -29,7 +30,7 @@ void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
     float height = dot(tap.offset, receiver.normal);
-    if (!tap.inside || abs(height) <= crease_bias * crease_radius) // rounding may put it on either side
+    if (!tap.inside || abs(height) <= crease_point_bias(receiver))
         return crease_contribution(0.0, 0.0);
     float before = position.z - receiver.position.z;
     float under = height < 0.0 ? 1.0 : 0.0;

@@ -7,6 +7,7 @@ R"glsl("
 // out of range says nothing of it.
 
 float crease_depth_rounding(float depth);
+float crease_point_bias(crease_receiver receiver);
 
 struct crease_estimate {
     float occluded; // points
@@ -25,9 +26,9 @@ crease_estimate crease_estimate_begin(crease_receiver receiver) {
 
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 
-// A point close to the tangent plane says nothing, as rounding may put it behind the surface.
+// A point close to the tangent plane says nothing.
 bool crease_ssao_over(crease_receiver receiver, crease_tap tap) {
-    return dot(tap.offset, receiver.normal) > crease_bias * crease_radius;
+    return dot(tap.offset, receiver.normal) > crease_point_bias(receiver);
 }
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
@@ -37,7 +38,8 @@ crease_contribution crease_weigh(crease_estimate estimate, crease_receiver recei
     if (before - estimate.rounding < tap.offset.z)
         return crease_contribution(0.0, 1.0);
     float in_range = smoothstep(0.0, 1.0, 2.0 * (1.0 - before / crease_radius));
-    return crease_contribution(in_range, in_range);
+    // Of two layers that occlude nothing the one that leaves the point open counts, not the one that says nothing.
+    return crease_contribution(in_range > 0.0 ? in_range : -1e-6, in_range);
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {

@@ -8,12 +8,13 @@ R"glsl("
 
 vec2 crease_noise(ivec2 pixel);
 vec2 crease_texel_at(vec3 position);
-vec3 crease_offset_inside(crease_receiver receiver, vec3 offset);
+float crease_radius_inside(crease_receiver receiver);
 void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out vec3 ray);
 
 struct crease_pattern {
     vec3 tangent, bitangent; // view space, unit
     vec2 direction;          // unit, in the tangent plane
+    float radius;            // view space
     float distance;          // in radii
 };
 
@@ -23,7 +24,8 @@ crease_pattern crease_pattern_begin(crease_receiver receiver) {
     vec3 axis = abs(normal.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
     vec3 tangent = normalize(cross(axis, normal));
     float angle = 6.28318531 * noise.x;
-    return crease_pattern(tangent, cross(normal, tangent), vec2(cos(angle), sin(angle)), noise.y);
+    return crease_pattern(tangent, cross(normal, tangent), vec2(cos(angle), sin(angle)),
+                          crease_radius_inside(receiver), noise.y);
 }
 
 int crease_direction_count() { return 1; }
@@ -39,9 +41,8 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     pattern.distance = fract(pattern.distance + 0.75487767);
     float share = (float(step) + 0.5) / float(crease_hemisphere_points_count);
     vec2 sideways = pattern.direction * sqrt(share);
-    vec3 way = crease_radius *
+    vec3 offset = (pattern.radius * pattern.distance) *
         (pattern.tangent * sideways.x + pattern.bitangent * sideways.y + receiver.normal * sqrt(1.0 - share));
-    vec3 offset = crease_offset_inside(receiver, way) * pattern.distance;
     vec3 point = receiver.position + offset;
     vec2 texel = floor(crease_texel_at(point) + 0.5);
     vec3 start, ray;

@@ -8,6 +8,12 @@ struct crease_tap {
     bool inside; // whether the texel is in the depth image; else it has no weight
     vec3 offset; // from the receiver, view space
 };
+
+// The height over the tangent plane up to which a point says nothing, as rounding may put it on either side of a surface: a
+// share of the radius, or of the depth where the radius is larger.
+float crease_point_bias(crease_receiver receiver) {
+    return crease_bias * min(crease_radius, -receiver.position.z);
+}
 #ifdef __cplusplus
 ")glsl"
 #endif

@@ -7,18 +7,19 @@ R"glsl("
 
 vec2 crease_noise(ivec2 pixel);
 vec2 crease_texel_at(vec3 position);
-vec3 crease_offset_inside(crease_receiver receiver, vec3 offset);
+float crease_radius_inside(crease_receiver receiver);
 void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out vec3 ray);
 
 struct crease_pattern {
     vec2 direction; // unit, on the disk that faces the eye
+    float radius;   // view space
     float volume;   // of the sphere through the point, as a share
 };
 
 crease_pattern crease_pattern_begin(crease_receiver receiver) {
     vec2 noise = crease_noise(receiver.pixel);
     float angle = 6.28318531 * noise.x;
-    return crease_pattern(vec2(cos(angle), sin(angle)), noise.y);
+    return crease_pattern(vec2(cos(angle), sin(angle)), crease_radius_inside(receiver), noise.y);
 }
 
 int crease_direction_count() { return 1; }
@@ -34,9 +35,8 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     pattern.volume = fract(pattern.volume + 0.75487767);
     float height = 1.0 - (2.0 * float(step) + 1.0) / float(crease_sphere_points_count);
     vec2 sideways = pattern.direction * sqrt(1.0 - height * height);
-    vec3 way =
-        crease_radius * (receiver.across * sideways.x + receiver.up * sideways.y + receiver.to_eye * height);
-    vec3 offset = crease_offset_inside(receiver, way) * pow(pattern.volume, 1.0 / 3.0);
+    vec3 offset = (pattern.radius * pow(pattern.volume, 1.0 / 3.0)) *
+        (receiver.across * sideways.x + receiver.up * sideways.y + receiver.to_eye * height);
     vec3 point = receiver.position + offset;
     vec2 texel = floor(crease_texel_at(point) + 0.5);
     vec3 start, ray;

@@ -20,9 +20,6 @@ vec2 crease_texel_at(vec3 position) {
     return (position.xy - crease_view.from_texel.zw) / crease_view.from_texel.xy;
 }
 
-// The share of a way in space, from one depth to another, that has so much of its picture.
-float crease_share_of_way(float share, float from, float to) { return share; }
-
 vec3 crease_to_eye(vec3 position) { return vec3(0.0, 0.0, 1.0); }
 
 void crease_axes(vec3 to_eye, out vec3 across, out vec3 up) {

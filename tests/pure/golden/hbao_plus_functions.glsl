@@ -129,9 +129,6 @@ vec2 crease_texel_at(vec3 position) {
     return (position.xy / -position.z - crease_view.from_texel.zw) / crease_view.from_texel.xy;
 }
 
-// The share of a way in space, from one depth to another, that has so much of its picture.
-float crease_share_of_way(float share, float from, float to) { return share * from / mix(to, from, share); }
-
 vec3 crease_to_eye(vec3 position) { return -normalize(position); }
 
 void crease_axes(vec3 to_eye, out vec3 across, out vec3 up) {

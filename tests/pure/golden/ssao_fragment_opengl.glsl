@@ -129,9 +129,6 @@ vec2 crease_texel_at(vec3 position) {
     return (position.xy - crease_view.from_texel.zw) / crease_view.from_texel.xy;
 }
 
-// The share of a way in space, from one depth to another, that has so much of its picture.
-float crease_share_of_way(float share, float from, float to) { return share; }
-
 vec3 crease_to_eye(vec3 position) { return vec3(0.0, 0.0, 1.0); }
 
 void crease_axes(vec3 to_eye, out vec3 across, out vec3 up) {
@@ -214,6 +211,12 @@ struct crease_tap {
     bool inside; // whether the texel is in the depth image; else it has no weight
     vec3 offset; // from the receiver, view space
 };
+
+// The height over the tangent plane up to which a point says nothing, as rounding may put it on either side of a surface: a
+// share of the radius, or of the depth where the radius is larger.
+float crease_point_bias(crease_receiver receiver) {
+    return crease_bias * min(crease_radius, -receiver.position.z);
+}
 // SPDX-License-Identifier: MIT
 // The ray of a texel by the receiver: start + t * ray from it, where t counts depth and is 0 where the receiver is.
 // Differences are of rays alone, as those of positions keep nothing of a radius that is small beside the distance.
@@ -227,27 +230,11 @@ void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out 
     start = (eye - own_eye) - (ray - own_ray) * receiver.position.z;
 }
 // SPDX-License-Identifier: MIT
-// How much of a way across the depth image stays in it, from 0 to 1: a march is cut at the picture's edge, so that a radius
-// that is larger than the picture still finds what is there. `from` and `way` in texels, edges being whole numbers.
-float crease_share_inside(vec2 from, vec2 way) {
-    vec2 after = crease_depth_size() - from;
-    vec2 share = vec2(way.x < 0.0 ? from.x : after.x, way.y < 0.0 ? from.y : after.y) * abs(1.0 / way);
-    return clamp(min(share.x, share.y), 0.0, 1.0);
-}
-// SPDX-License-Identifier: MIT
-// An offset from the receiver, cut where it leaves the picture or comes near the eye, so that a radius that is larger than
-// the picture still finds what is there.
-
-vec2 crease_texel_at(vec3 position);
-float crease_share_inside(vec2 from, vec2 way);
-float crease_share_of_way(float share, float from, float to);
-
-vec3 crease_offset_inside(crease_receiver receiver, vec3 offset) {
-    float depth = -receiver.position.z;
-    offset *= min(1.0, 0.9 * depth / max(offset.z, 1e-20));
-    vec2 way = crease_texel_at(receiver.position + offset) - receiver.texel;
-    float share = crease_share_inside(receiver.texel + 0.5, way);
-    return offset * crease_share_of_way(share, depth, depth - offset.z);
+// The radius in which a sampler looks for points: no larger than half the picture's diagonal at the receiver's depth, so that
+// a radius that is larger than the picture still finds what is there.
+float crease_radius_inside(crease_receiver receiver) {
+    float texels = sqrt(abs(determinant(receiver.disk))); // of the radius
+    return crease_radius * min(1.0, 0.5 * length(crease_depth_size()) / texels);
 }
 // SPDX-License-Identifier: MIT
 // Points in the hemisphere over the receiver, turned about the normal by a random angle per pixel:
@@ -256,12 +243,13 @@ vec3 crease_offset_inside(crease_receiver receiver, vec3 offset) {
 
 vec2 crease_noise(ivec2 pixel);
 vec2 crease_texel_at(vec3 position);
-vec3 crease_offset_inside(crease_receiver receiver, vec3 offset);
+float crease_radius_inside(crease_receiver receiver);
 void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out vec3 ray);
 
 struct crease_pattern {
     vec3 tangent, bitangent; // view space, unit
     vec2 direction;          // unit, in the tangent plane
+    float radius;            // view space
     float distance;          // in radii
 };
 
@@ -271,7 +259,8 @@ crease_pattern crease_pattern_begin(crease_receiver receiver) {
     vec3 axis = abs(normal.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
     vec3 tangent = normalize(cross(axis, normal));
     float angle = 6.28318531 * noise.x;
-    return crease_pattern(tangent, cross(normal, tangent), vec2(cos(angle), sin(angle)), noise.y);
+    return crease_pattern(tangent, cross(normal, tangent), vec2(cos(angle), sin(angle)),
+                          crease_radius_inside(receiver), noise.y);
 }
 
 int crease_direction_count() { return 1; }
@@ -287,9 +276,8 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     pattern.distance = fract(pattern.distance + 0.75487767);
     float share = (float(step) + 0.5) / float(crease_hemisphere_points_count);
     vec2 sideways = pattern.direction * sqrt(share);
-    vec3 way = crease_radius *
+    vec3 offset = (pattern.radius * pattern.distance) *
         (pattern.tangent * sideways.x + pattern.bitangent * sideways.y + receiver.normal * sqrt(1.0 - share));
-    vec3 offset = crease_offset_inside(receiver, way) * pattern.distance;
     vec3 point = receiver.position + offset;
     vec2 texel = floor(crease_texel_at(point) + 0.5);
     vec3 start, ray;
@@ -305,6 +293,7 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
 // out of range says nothing of it.
 
 float crease_depth_rounding(float depth);
+float crease_point_bias(crease_receiver receiver);
 
 struct crease_estimate {
     float occluded; // points
@@ -323,9 +312,9 @@ crease_estimate crease_estimate_begin(crease_receiver receiver) {
 
 void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
 
-// A point close to the tangent plane says nothing, as rounding may put it behind the surface.
+// A point close to the tangent plane says nothing.
 bool crease_ssao_over(crease_receiver receiver, crease_tap tap) {
-    return dot(tap.offset, receiver.normal) > crease_bias * crease_radius;
+    return dot(tap.offset, receiver.normal) > crease_point_bias(receiver);
 }
 
 crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
@@ -335,7 +324,8 @@ crease_contribution crease_weigh(crease_estimate estimate, crease_receiver recei
     if (before - estimate.rounding < tap.offset.z)
         return crease_contribution(0.0, 1.0);
     float in_range = smoothstep(0.0, 1.0, 2.0 * (1.0 - before / crease_radius));
-    return crease_contribution(in_range, in_range);
+    // Of two layers that occlude nothing the one that leaves the point open counts, not the one that says nothing.
+    return crease_contribution(in_range > 0.0 ? in_range : -1e-6, in_range);
 }
 
 void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {
