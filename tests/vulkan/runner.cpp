@@ -261,3 +261,55 @@ TEST_CASE("images are made in the sizes that are declared") {
     CHECK_NOTHROW(runner.upload("depth", std::span<const float>(depth)));
     has("depth", 51, 28, 1, false);
 }
+
+TEST_CASE("an image of another shape cannot be an input, and each difference counts") {
+    vulkan::device& device = validated_device();
+    vulkan::runner runner(device, little::effect, 5, 4);
+    const vulkan::image_description fits{.name = "own",
+                                         .texels = format::d32_float,
+                                         .width = 5,
+                                         .height = 4,
+                                         .usage = VK_IMAGE_USAGE_SAMPLED_BIT};
+    const auto refusal = [&](vulkan::image_description d) {
+        vulkan::image image(device, d);
+        return sentence_of([&] { runner.bind("depth", image); });
+    };
+    CHECK(refusal(fits) == "");
+    vulkan::image_description other = fits;
+    other.height = 3;
+    CHECK(refusal(other) == "the image 'own' cannot be the input 'depth': it is only 5 x 3");
+    other = fits;
+    other.layers = 2;
+    other.arrayed = true;
+    CHECK(contains(refusal(other), "it has 2 layers"));
+    other = fits;
+    other.arrayed = true;
+    CHECK(contains(refusal(other), "cannot be the input 'depth'"));
+    other = fits;
+    other.samples = 4;
+    other.usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+    if (device.features().depth_samples & 4)
+        CHECK(contains(refusal(other), "4 samples a texel"));
+    else
+        MESSAGE("the device lacks depth images of 4 samples: none is refused as an input on it");
+}
+
+TEST_CASE("a pass may not run at another size than that of what it writes, in either axis") {
+    const auto said = [](std::size_t which, const extent& size) {
+        pass passes[] = {little::scale, little::spread};
+        passes[which].size = size;
+        effect_view effect = little::effect;
+        effect.passes = passes;
+        return sentence_of([&] { vulkan::runner(validated_device(), effect, 8, 8); });
+    };
+    const std::string of_compute = "pass 'scale' runs at another size than that of 'scaled', which it writes";
+    CHECK(said(0, {.divisor = 2}) == ""); // as it is declared
+    CHECK(said(0, {.divisor = 4}) == ""); // the rest is not written
+    CHECK(said(0, {.divisor = 2, .fixed_width = 5}) == of_compute);
+    CHECK(said(0, {.divisor = 2, .fixed_height = 5}) == of_compute);
+    const std::string of_fragment =
+        "pass 'spread' runs at another size than that of 'visibility', which it writes";
+    CHECK(said(1, {.fixed_width = 7}) == of_fragment);
+    CHECK(said(1, {.fixed_height = 7}) == of_fragment);
+    CHECK(said(1, {.fixed_height = 9}) == of_fragment);
+}
