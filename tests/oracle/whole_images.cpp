@@ -119,3 +119,22 @@ TEST_CASE("a radius that reaches behind the eye") {
         check_within(oracle::compare(oracle::run(p, composed->view(), how), expected), oracle::of_rounding);
     }
 }
+
+TEST_CASE("what stands just before the far plane does not darken the background behind it") {
+    const double far_plane = 50;
+    for (lens kind : {lens::standard, lens::reversed, lens::orthographic}) {
+        CAPTURE(static_cast<int>(kind));
+        const oracle::picture p = oracle::draw(
+            {{oracle::surface::kind::half_plane, {0, 0, -(far_plane - 1)}, {0, 0, 1}}}, kind, 64, 48);
+        for (const technique& t : techniques())
+            for (const char* encoding : {"", "/linearised_depth"}) {
+                CAPTURE(t.recipe());
+                const std::vector<float> image = oracle::run(
+                    p, t.recipe() + encoding + (kind == lens::orthographic ? "/orthographic" : ""), 10);
+                for (int y = 0; y < p.height; ++y)
+                    for (int x = 0; x < p.width; ++x)
+                        if (p.background(x, y))
+                            REQUIRE(image[p.index(x, y)] == 1);
+            }
+    }
+}
