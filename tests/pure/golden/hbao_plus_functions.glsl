@@ -159,14 +159,15 @@ int crease_layer_count() { return 1; }
 
 float crease_layer_depth(crease_layers layers, int layer) { return layers.depth; }
 // SPDX-License-Identifier: MIT
-// The normals image holds view-space normals, facing the camera, of any length.
+// The normals image holds view-space normals, facing the camera, of any length; one that has no direction counts as
+// facing the eye.
 
 vec3 crease_to_eye(vec3 position);
 
 vec3 crease_normal_at(vec2 texel, vec3 position) {
     vec3 normal = textureLod(crease_normal, (texel + 0.5) * crease_view.texel_size, 0.0).xyz;
     float squared = dot(normal, normal);
-    return squared > 0.0 ? normal * inversesqrt(squared) : crease_to_eye(position);
+    return squared > 0.0 && squared < 1.0e30 ? normal * inversesqrt(squared) : crease_to_eye(position);
 }
 // SPDX-License-Identifier: MIT
 // Two numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
