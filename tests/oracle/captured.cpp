@@ -58,8 +58,8 @@ std::vector<std::uint32_t> share_out(const picture& p, unsigned samples) {
     return image;
 }
 
-picture many_layers(lens kind, int width, int height, std::size_t most) {
-    std::vector<surface> scene{{surface::kind::plane, {0, 0, -5}, glm::normalize(glm::dvec3(0.2, 0.3, 1))}};
+std::vector<surface> balls() {
+    std::vector<surface> scene;
     for (int i = 0; i < 48; ++i) {
         // Steps by the golden ratio and others that no whole numbers relate.
         const auto spread = [i](double by) { return std::fmod((i + 0.5) * by, 1.0); };
@@ -69,6 +69,12 @@ picture many_layers(lens kind, int width, int height, std::size_t most) {
              {0, 0, 1},
              0.15 + 0.3 * spread(0.4142136)});
     }
+    return scene;
+}
+
+picture many_layers(lens kind, int width, int height, std::size_t most) {
+    std::vector<surface> scene = balls();
+    scene.push_back({surface::kind::plane, {0, 0, -5}, glm::normalize(glm::dvec3(0.2, 0.3, 1))});
     picture p = draw_all(scene, kind, width, height);
     for (std::vector<float>& behind : p.hidden)
         behind.resize(std::min(behind.size(), most - 1));

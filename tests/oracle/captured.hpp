@@ -11,7 +11,10 @@ inline constexpr std::uint32_t kept_nothing = ~0u;
 /// What atomic_minimum would hold where the samples share out all layers of a texel in turn.
 std::vector<std::uint32_t> share_out(const picture& p, unsigned samples);
 
-/// Balls one behind another before a wall, with at most so many layers at a texel.
+/// Balls one behind another.
+std::vector<surface> balls();
+
+/// The balls before a wall, with at most so many layers at a texel.
 picture many_layers(lens kind, int width, int height, std::size_t most);
 
 /// Corners of triangles in view space, as a capture draws them.

@@ -128,7 +128,7 @@ triangles slanted() {
 
 TEST_CASE("coverage: a share alpha of the samples keeps a fragment, and varies as the method promises") {
     for (const method& of : methods)
-        for (unsigned samples : {1u, 3u, 4u, 8u, 16u, 24u, 32u}) {
+        for (unsigned samples : {1u, 3u, 8u, 16u, 24u, 32u}) {
             layer_capture capture("atomic_minimum/" + of.name, samples, side, side);
             for (float alpha : {0.05f, 0.2f, 0.5f, 0.9f}) {
                 CAPTURE(of.name);

