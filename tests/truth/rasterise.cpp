@@ -95,10 +95,10 @@ TEST_CASE("rasterise: near and far of any size leave depth and occlusion right")
                                     {1e-7f, 1e7f},
                                     {1e-30f, 1e30f},
                                     {0.1f, 3e38f}}) {
-        CAPTURE(near);
-        CAPTURE(far);
         scene.from.near = near;
         scene.from.far = far;
+        CAPTURE(scene.from.near);
+        CAPTURE(scene.from.far);
         const gbuffer inputs = rasterised(scene);
         std::size_t apart = 0, background = 0;
         for (std::size_t i = 0; i < inputs.depth.texels.size(); ++i) {

@@ -103,7 +103,7 @@ TEST_CASE("truth: no corner that rounding folds up makes a number that is none")
     mesh scene;
     add_rectangle(scene, {-500, 0, -900}, {1000, 0, 0}, {0, 0, 1000});
     for (unsigned i = 0; i < 64; ++i) // 32-bit positions are 3e-5 apart there
-        add_rectangle(scene, {-3 + 0.1 * i, 0.5, -400}, {1e-5, 0, 0}, {0, 1e-5, 1e-5});
+        add_rectangle(scene, {300 + 0.1 * i, 0.5, -400}, {1e-5, 0, 0}, {0, 1e-5, 1e-5});
     const camera from = look({0, 3, 0}, {0, 0, -100});
     const truth seen = trace_truth(scene, from, {.width = 32, .height = 18, .radius = 2, .rays = 16});
     for (const image* pixels : {&seen.depth, &seen.normal, &seen.bent, &seen.ao_linear})
