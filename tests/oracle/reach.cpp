@@ -82,7 +82,7 @@ TEST_CASE("within front_reach the front surface settles its tap") {
                 if (reach == 0)
                     without = image;
                 else if (reach >= 0.7f)
-                    CHECK(other > 40);
+                    CHECK(other > 20);
             }
         }
 }

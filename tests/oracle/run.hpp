@@ -89,7 +89,7 @@ void check_within(const difference& found, const difference& allowed);
 /// What 8 bits of visibility and single precision leave, which picks the next texel for a few taps. At most
 /// four times what was measured.
 inline constexpr difference of_rounding{
-    .typical = 0.004, .mean = 0.0007, .border = 0.0012, .most = 0.3, .bias = 0.0003};
+    .typical = 0.004, .mean = 0.0007, .border = 0.0012, .most = 0.3, .bias = 0.0006};
 
 /// The effect of a recipe; a recipe that makes none fails the test.
 std::unique_ptr<crease::composition> compose(const std::string& recipe_text);

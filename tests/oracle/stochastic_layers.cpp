@@ -49,7 +49,7 @@ oracle::difference differ(const technique& t, const std::string& parts, lens kin
 // A front surface in the tangent plane itself settles its tap or not, by rounding, and then leaves the look
 // to another.
 constexpr oracle::difference of_ties{
-    .typical = 0.012, .mean = 0.0024, .border = 0.0012, .most = 0.6, .bias = 0.0012};
+    .typical = 0.03, .mean = 0.0024, .border = 0.0012, .most = 0.6, .bias = 0.0012};
 
 /// How many samples of all texels keep each of some stacked quads, nearest first.
 struct census {

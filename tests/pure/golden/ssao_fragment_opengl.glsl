@@ -321,10 +321,11 @@ crease_contribution crease_weigh(crease_estimate estimate, crease_receiver recei
     if (!tap.inside || !crease_ssao_over(receiver, tap))
         return crease_contribution(0.0, 0.0);
     float before = position.z - receiver.position.z;
+    // Of layers that occlude nothing, one that leaves the point open counts before one that says nothing, and either before
+    // none at all.
     if (before - estimate.rounding < tap.offset.z)
-        return crease_contribution(0.0, 1.0);
+        return crease_contribution(position.z > -0.5 * crease_background ? 0.0 : -2e-6, 1.0);
     float in_range = smoothstep(0.0, 1.0, 2.0 * (1.0 - before / crease_radius));
-    // Of two layers that occlude nothing the one that leaves the point open counts, not the one that says nothing.
     return crease_contribution(in_range > 0.0 ? in_range : -1e-6, in_range);
 }
 
