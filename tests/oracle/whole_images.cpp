@@ -38,7 +38,7 @@ differ(const technique& t, const std::string& parts, lens kind, bool reconstruct
 
 // 8 bits hold no visibility but 0 and 1 without an error.
 constexpr oracle::difference occluded_everywhere{
-    .typical = 0.004, .mean = 0.0015, .border = 0.0015, .most = 0.3, .bias = 0.0003};
+    .typical = 0.004, .mean = 0.0015, .border = 0.0015, .most = 0.3, .bias = 0.0006};
 constexpr oracle::difference filtered{
     .typical = 0.008, .mean = 0.0012, .border = 0.0012, .most = 0.016, .bias = 0.0005};
 
