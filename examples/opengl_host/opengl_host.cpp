@@ -10,7 +10,7 @@
 #include <span>
 #include <stdexcept>
 
-using ao = crease::effect<crease::directions<8, 4>, crease::single_layer, crease::hbao, crease::bilateral<>,
+using ao = crease::effect<crease::directions<4, 4>, crease::single_layer, crease::hbao, crease::bilateral<>,
                           crease::reconstructed_normals, crease::fragment, crease::opengl_glsl>;
 
 namespace {

@@ -3,7 +3,7 @@
 
 #include <iostream>
 
-using ao = crease::effect<crease::directions<8, 4>, crease::single_layer, crease::hbao>;
+using ao = crease::effect<crease::directions<4, 4>, crease::single_layer, crease::hbao>;
 
 int main() {
     std::cout << ao::source<0>;

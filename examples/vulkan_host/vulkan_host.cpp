@@ -5,7 +5,7 @@
 
 #include <span>
 
-using ao = crease::effect<crease::directions<8, 4>, crease::single_layer, crease::hbao,
+using ao = crease::effect<crease::directions<4, 4>, crease::single_layer, crease::hbao,
                           crease::reconstructed_normals>;
 
 namespace {

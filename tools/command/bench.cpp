@@ -28,11 +28,12 @@ struct bench_options {
     std::vector<std::string> recipes{"hemisphere_points:16/single_layer/ssao/bilateral",
                                      "hemisphere_points:64/single_layer/ssao/bilateral",
                                      "directions:4x4/single_layer/hbao/bilateral",
+                                     "directions:4x8/single_layer/hbao/bilateral",
                                      "directions:8x4/single_layer/hbao/bilateral",
                                      "directions:8x4/single_layer/hbao_plus/bilateral",
                                      "poisson_disk:16/single_layer/hbao_plus/bilateral",
-                                     "directions:8x4/single_layer/hbao/bilateral/upsample:2",
-                                     "directions:8x4/single_layer/hbao/bilateral/upsample:4"};
+                                     "directions:4x4/single_layer/hbao/bilateral:1/upsample:2",
+                                     "directions:4x4/single_layer/hbao/bilateral:1/upsample:4"};
     std::vector<std::string> settings;
     std::string device;
     std::filesystem::path truths;

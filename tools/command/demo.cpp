@@ -25,10 +25,10 @@ struct shown_recipe {
 
 constexpr shown_recipe shown_recipes[] = {
     {"ssao", "hemisphere_points:16/single_layer/ssao/bilateral"},
-    {"hbao", "directions:8x4/single_layer/hbao/bilateral"},
+    {"hbao", "directions:4x4/single_layer/hbao/bilateral"},
     {"hbao_plus", "directions:8x4/single_layer/hbao_plus/bilateral"},
     {"hbao_plus_disk", "poisson_disk:16/single_layer/hbao_plus/bilateral"},
-    {"hbao_half", "directions:8x4/single_layer/hbao/bilateral/upsample:2"},
+    {"hbao_half", "directions:4x4/single_layer/hbao/bilateral:1/upsample:2"},
 };
 
 struct demo_options {
