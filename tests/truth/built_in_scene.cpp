@@ -35,7 +35,7 @@ TEST_CASE("error to the linear truth") {
                                   {"directions:8x4/single_layer/hbao_plus/bilateral", 0.111},
                                   {"poisson_disk:16/single_layer/hbao_plus/bilateral", 0.136},
                                   {"directions:4x4/single_layer/hbao/bilateral", 0.093},
-                                  {"directions:4x4/single_layer/hbao/bilateral:1/upsample:2", 0.099}}) {
+                                  {"directions:4x4/single_layer/hbao/bilateral:2/upsample:2", 0.105}}) {
         CAPTURE(std::string(expected.recipe));
         const frame made = run_effect(device, crease::recipe(std::string_view(expected.recipe)), inputs,
                                       {.radius = from.ao_radius, .settings = {}});

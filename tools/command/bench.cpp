@@ -32,7 +32,7 @@ struct bench_options {
                                      "directions:8x4/single_layer/hbao/bilateral",
                                      "directions:8x4/single_layer/hbao_plus/bilateral",
                                      "poisson_disk:16/single_layer/hbao_plus/bilateral",
-                                     "directions:4x4/single_layer/hbao/bilateral:1/upsample:2",
+                                     "directions:4x4/single_layer/hbao/bilateral:2/upsample:2",
                                      "directions:4x4/single_layer/hbao/bilateral:1/upsample:4"};
     std::vector<std::string> settings;
     std::string device;

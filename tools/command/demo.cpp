@@ -28,7 +28,7 @@ constexpr shown_recipe shown_recipes[] = {
     {"hbao", "directions:4x4/single_layer/hbao/bilateral"},
     {"hbao_plus", "directions:8x4/single_layer/hbao_plus/bilateral"},
     {"hbao_plus_disk", "poisson_disk:16/single_layer/hbao_plus/bilateral"},
-    {"hbao_half", "directions:4x4/single_layer/hbao/bilateral:1/upsample:2"},
+    {"hbao_half", "directions:4x4/single_layer/hbao/bilateral:2/upsample:2"},
 };
 
 struct demo_options {
