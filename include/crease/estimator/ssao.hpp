@@ -32,7 +32,7 @@ struct ssao {
     static constexpr setting reads[] = {
         {"bias", &parameters::bias, 0.01f, 0, 1,
          "height over the tangent plane, in radii, below which a point is left out"},
-        {"strength", &parameters::strength, 0.6f, 0, 16, "factor of the occlusion"},
+        {"strength", &parameters::strength, 0.75f, 0, 16, "factor of the occlusion"},
         {"exponent", &parameters::exponent, 2, 0.01f, 16, "power of the visibility"},
     };
     static constexpr part description{
