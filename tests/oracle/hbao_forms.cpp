@@ -161,14 +161,14 @@ TEST_CASE("beside a step, by HBAO's integral") {
     for (int x : {120, 150, 170, 190}) {
         const double distance = -p.position(x, 133).x;
         double occlusion = 0;
-        const int slices = 4000;
-        for (int i = 0; i < slices; ++i) {
-            const double angle = 2 * 3.14159265358979 * (i + 0.5) / slices;
+        const int arcs = 4000;
+        for (int i = 0; i < arcs; ++i) {
+            const double angle = 2 * 3.14159265358979 * (i + 0.5) / arcs;
             const double along = distance / std::cos(angle);
             const double r = std::sqrt(along * along + height * height);
             if (std::cos(angle) > 0 && r < radius)
                 occlusion +=
-                    (1 - r * r / (radius * radius)) * std::max(height / r - std::sin(bias), 0.0) / slices;
+                    (1 - r * r / (radius * radius)) * std::max(height / r - std::sin(bias), 0.0) / arcs;
         }
         CAPTURE(distance);
         CHECK(image[p.index(x, 133)] == doctest::Approx(1 - occlusion).epsilon(0.02));
