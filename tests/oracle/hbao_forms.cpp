@@ -141,8 +141,7 @@ TEST_CASE("the inside of a sphere, by HBAO's integral") {
     const double first = 2 * s * std::sin(bias);
     const auto integral = [&](double r) { return (r - r * r * r / (3 * radius * radius)) / (2 * s); };
     const double expected = 1 - (integral(radius) - integral(first));
-    CHECK(oracle::run(p, composed->view(), how)[p.index(128, 90)] ==
-          doctest::Approx(expected).epsilon(0.015));
+    CHECK(std::abs(oracle::run(p, composed->view(), how)[p.index(128, 90)] - expected) < 0.006);
 }
 
 TEST_CASE("beside a step, by HBAO's integral") {
@@ -171,6 +170,6 @@ TEST_CASE("beside a step, by HBAO's integral") {
                     (1 - r * r / (radius * radius)) * std::max(height / r - std::sin(bias), 0.0) / arcs;
         }
         CAPTURE(distance);
-        CHECK(image[p.index(x, 133)] == doctest::Approx(1 - occlusion).epsilon(0.02));
+        CHECK(std::abs(image[p.index(x, 133)] - (1 - occlusion)) < 0.015);
     }
 }

@@ -9,6 +9,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace {
@@ -240,7 +241,7 @@ TEST_CASE("without a far plane every source of areas gives the shade of the wind
                      lens::infinite, 97, 61);
     const std::vector<float> window = shades(p, "box_window:16/single_layer/unsharp_mask/shade", 1.0f);
     // Of the texels just behind the edge 7 of 16 columns are half a radius nearer: 20 * 0.5 / 50 * 7 / 16.
-    CHECK(*std::max_element(window.begin(), window.end()) == doctest::Approx(0.0875).epsilon(0.01));
+    CHECK(std::abs(*std::max_element(window.begin(), window.end()) - 0.0875) < 1e-6);
     for (const char* source :
          {"summed_area", "summed_area_uniform:8", "summed_area_adaptive:4", "n_buffer:5"}) {
         CAPTURE(std::string(source));
@@ -273,8 +274,7 @@ TEST_CASE("a plane that leans has the shade of the curve that its depth is in th
                     double mean = 0;
                     for (int i = x - 7; i < x + 7; ++i)
                         mean += depth(i) / 14;
-                    CHECK(shade[p.index(x, 30)] ==
-                          doctest::Approx(20 * (depth(x) - mean)).epsilon(1e-3).scale(0.1));
+                    CHECK(std::abs(shade[p.index(x, 30)] - 20 * (depth(x) - mean)) < 2e-4);
                 }
             }
         }
