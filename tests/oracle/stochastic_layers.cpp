@@ -33,9 +33,12 @@ std::vector<float> run_with_all(const oracle::picture& p, const crease::effect_v
 
 /// How a technique's effect over six samples that share out all layers differs from the oracle's.
 /// @param reach  front_reach, radii
+/// @param turn  added to the normals
 oracle::difference differ(const technique& t, const std::string& parts, lens kind,
-                          std::optional<float> reach = {}) {
-    const oracle::picture p = oracle::many_layers(kind, 97, 61, 6);
+                          std::optional<float> reach = {}, glm::vec3 turn = {}) {
+    oracle::picture p = oracle::many_layers(kind, 97, 61, 6);
+    for (glm::vec3& normal : p.normals)
+        normal = glm::normalize(normal + turn);
     const auto composed =
         compose(t.sampler + "/stochastic_layers:6/" + t.estimator + "/atomic_minimum" + parts);
     crease::parameters how = oracle::view_parameters(p, composed->view(), 0.8);
@@ -138,6 +141,15 @@ TEST_CASE("layers behind come after all fronts of their direction, of the first 
                 oracle::check_within(differ(t, fold, lens::standard, 0.0f),
                                      skip && !of.horizons ? of_ties : oracle::of_rounding);
             }
+}
+
+TEST_CASE("a front surface settles nothing where the normal looks away from the eye") {
+    const technique t{"directions:6x5", "hbao_plus", [&](const auto& p, const auto& r, const auto& s) {
+                          return oracle::hbao_plus(p, r, s, oracle::directions(p, r, s, 6, 5),
+                                                   {.looks = 3, .skip = true});
+                      }};
+    oracle::check_within(differ(t, "/deferred_layers:1x3", lens::standard, 0.0f, {1.2f, 0.4f, -1.5f}),
+                         of_ties);
 }
 
 TEST_CASE("a sample keeps layer j with probability alpha (1 - alpha)^(j - 1)") {

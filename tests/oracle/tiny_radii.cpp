@@ -59,7 +59,7 @@ oracle::picture zoomed(const std::vector<oracle::surface>& planes, lens seen_by,
 TEST_CASE("a plane is open however small the radius is beside the distance") {
     for (const char* recipe : recipes)
         for (lens seen_by : {lens::standard, lens::reversed, lens::infinite, lens::orthographic})
-            for (double zoom : {1.0, 100.0})
+            for (double zoom : {1.0, 100.0, 1000.0})
                 for (double degrees : {0.0, 60.0, 80.0})
                     for (double distance : {1.0, 20.0}) {
                         const double a = degrees * 3.14159265358979 / 180;
