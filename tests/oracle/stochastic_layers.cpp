@@ -97,6 +97,30 @@ TEST_CASE("every estimator folds all layers of a tap by the greatest") {
         }
 }
 
+TEST_CASE("layers after the eighth count too, to the last sample") {
+    // Half planes that stand behind one another, each a step further to the left than the one before it.
+    std::vector<oracle::surface> stairs;
+    for (int i = 0; i < 12; ++i)
+        stairs.push_back(
+            {oracle::surface::kind::half_plane, {1.2 - 0.25 * i, 0, -2.5 - 0.25 * i}, {0, 0, 1}});
+    const oracle::picture p = oracle::draw_all(stairs, lens::standard, 97, 61);
+    for (const technique& t : techniques())
+        for (const std::string fold : {"", "/front_first:0"}) {
+            CAPTURE(t.estimator);
+            CAPTURE(fold);
+            const auto composed =
+                compose(t.sampler + "/stochastic_layers:12/" + t.estimator + "/atomic_minimum" + fold);
+            crease::parameters how = oracle::view_parameters(p, composed->view(), 0.8);
+            how.front_reach = 0;
+            const oracle::settings s = oracle::settings_of(how);
+            const auto expected = oracle::main_pass(
+                p, s, 1, false, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });
+            const oracle::difference d =
+                oracle::compare(run_with_all(p, composed->view(), how, 12), expected);
+            oracle::check_within(d, oracle::of_rounding);
+        }
+}
+
 TEST_CASE(
     "looking at the front first and skipping nothing gives the same; skipping what cannot matter almost") {
     for (const technique& t : techniques()) {
