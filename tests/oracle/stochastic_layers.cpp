@@ -115,9 +115,8 @@ TEST_CASE("layers after the eighth count too, to the last sample") {
             const oracle::settings s = oracle::settings_of(how);
             const auto expected = oracle::main_pass(
                 p, s, 1, false, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });
-            const oracle::difference d =
-                oracle::compare(run_with_all(p, composed->view(), how, 12), expected);
-            oracle::check_within(d, oracle::of_rounding);
+            oracle::check_within(oracle::compare(run_with_all(p, composed->view(), how, 12), expected),
+                                 oracle::of_rounding);
         }
 }
 
