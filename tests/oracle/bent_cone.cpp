@@ -181,8 +181,11 @@ TEST_CASE("Algorithms 10 and 11 and the form with lambda, whole images") {
             double degrees = 0, apart = 0, count = 0;
             for (int y = 0; y < p.height; ++y)
                 for (int x = 0; x < p.width; ++x) {
-                    if (p.background(x, y))
+                    if (p.background(x, y)) {
+                        CHECK(found[p.index(x, y)].z == 1);
+                        CHECK(std::abs(found[p.index(x, y)].w - glm::half_pi<double>()) < 0.001);
                         continue;
+                    }
                     oracle::receiver r{x, y, x, y, p.position(x, y), glm::dvec3(p.normals[p.index(x, y)]),
                                        {}};
                     r.to_eye = p.to_eye(r.position);
@@ -203,8 +206,10 @@ TEST_CASE("Algorithms 10 and 11 and the form with lambda, whole images") {
                     ++count;
                 }
             CHECK(count > 1000);
-            CHECK(degrees / count < 0.5); // half floats, and taps whose texel rounds the other way
-            CHECK(apart / count < 0.01);
+            // Half floats, and taps whose texel rounds the other way.
+            const bool by_points = text.find("ssao") != std::string::npos;
+            CHECK(degrees / count < (by_points ? 0.15 : 0.03));
+            CHECK(apart / count < (by_points ? 0.01 : 0.003));
         }
 }
 

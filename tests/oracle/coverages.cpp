@@ -207,6 +207,18 @@ TEST_CASE("coverage: the samples of one half of 32 tell nothing of the other") {
     CHECK(std::abs(correlation_of_samples(m, 16)) < 5 / std::sqrt(static_cast<double>(m.kept.size() / 2)));
 }
 
+TEST_CASE("coverage: at a grazing angle cells are as wide as the texel is long, or by axes as the texel") {
+    // Seen by an orthographic lens a texel is five times as long on the plane as it is wide.
+    triangles plane;
+    oracle::add_quad(plane, {-30, -30, 125}, {60, 0, 0}, {0, 60, -300});
+    const auto alike = [&](const char* name, unsigned apart) {
+        layer_capture capture(std::string("atomic_minimum/") + name, 8, side, side, lens::orthographic);
+        return correlation_of_texels(coverage_of(capture, 8, plane, {.opacity = 0.3f}), apart, 0);
+    };
+    CHECK(alike("isotropic_threshold", 2) > 0.3);
+    CHECK(std::abs(alike("anisotropic_threshold", 4)) < 0.02);
+}
+
 TEST_CASE("coverage: thresholds stay on the surface when the camera moves along it") {
     // Seen by an orthographic lens that is 4 units high, a texel is 1/64 wide.
     constexpr unsigned high = 256;

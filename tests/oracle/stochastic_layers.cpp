@@ -33,9 +33,12 @@ std::vector<float> run_with_all(const oracle::picture& p, const crease::effect_v
 
 /// How a technique's effect over six samples that share out all layers differs from the oracle's.
 /// @param reach  front_reach, radii
+/// @param turn  added to the normals
 oracle::difference differ(const technique& t, const std::string& parts, lens kind,
-                          std::optional<float> reach = {}) {
-    const oracle::picture p = oracle::many_layers(kind, 97, 61, 6);
+                          std::optional<float> reach = {}, glm::vec3 turn = {}) {
+    oracle::picture p = oracle::many_layers(kind, 97, 61, 6);
+    for (glm::vec3& normal : p.normals)
+        normal = glm::normalize(normal + turn);
     const auto composed =
         compose(t.sampler + "/stochastic_layers:6/" + t.estimator + "/atomic_minimum" + parts);
     crease::parameters how = oracle::view_parameters(p, composed->view(), 0.8);
@@ -94,6 +97,29 @@ TEST_CASE("every estimator folds all layers of a tap by the greatest") {
         }
 }
 
+TEST_CASE("layers after the eighth count too, to the last sample") {
+    // Half planes that stand behind one another, each a step further to the left than the one before it.
+    std::vector<oracle::surface> stairs;
+    for (int i = 0; i < 12; ++i)
+        stairs.push_back(
+            {oracle::surface::kind::half_plane, {1.2 - 0.25 * i, 0, -2.5 - 0.25 * i}, {0, 0, 1}});
+    const oracle::picture p = oracle::draw_all(stairs, lens::standard, 97, 61);
+    for (const technique& t : techniques())
+        for (const std::string fold : {"", "/front_first:0"}) {
+            CAPTURE(t.estimator);
+            CAPTURE(fold);
+            const auto composed =
+                compose(t.sampler + "/stochastic_layers:12/" + t.estimator + "/atomic_minimum" + fold);
+            crease::parameters how = oracle::view_parameters(p, composed->view(), 0.8);
+            how.front_reach = 0;
+            const oracle::settings s = oracle::settings_of(how);
+            const auto expected = oracle::main_pass(
+                p, s, 1, false, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });
+            oracle::check_within(oracle::compare(run_with_all(p, composed->view(), how, 12), expected),
+                                 oracle::of_rounding);
+        }
+}
+
 TEST_CASE(
     "looking at the front first and skipping nothing gives the same; skipping what cannot matter almost") {
     for (const technique& t : techniques()) {
@@ -138,6 +164,15 @@ TEST_CASE("layers behind come after all fronts of their direction, of the first 
                 oracle::check_within(differ(t, fold, lens::standard, 0.0f),
                                      skip && !of.horizons ? of_ties : oracle::of_rounding);
             }
+}
+
+TEST_CASE("a front surface settles nothing where the normal looks away from the eye") {
+    const technique t{"directions:6x5", "hbao_plus", [&](const auto& p, const auto& r, const auto& s) {
+                          return oracle::hbao_plus(p, r, s, oracle::directions(p, r, s, 6, 5),
+                                                   {.looks = 3, .skip = true});
+                      }};
+    oracle::check_within(differ(t, "/deferred_layers:1x3", lens::standard, 0.0f, {1.2f, 0.4f, -1.5f}),
+                         of_ties);
 }
 
 TEST_CASE("a sample keeps layer j with probability alpha (1 - alpha)^(j - 1)") {

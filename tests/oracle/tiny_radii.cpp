@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Radii that are small beside the distance, down to what single precision cannot tell from it: a plane is
-// open, and where there is something to see it occludes as it does from near.
+// open, and where there is something to see it occludes as it does from near. And the other way round, a wide
+// lens.
 #include "run.hpp"
+#include "techniques.hpp"
 
 #include <doctest/doctest.h>
 
@@ -59,7 +61,7 @@ oracle::picture zoomed(const std::vector<oracle::surface>& planes, lens seen_by,
 TEST_CASE("a plane is open however small the radius is beside the distance") {
     for (const char* recipe : recipes)
         for (lens seen_by : {lens::standard, lens::reversed, lens::infinite, lens::orthographic})
-            for (double zoom : {1.0, 100.0})
+            for (double zoom : {1.0, 100.0, 1000.0})
                 for (double degrees : {0.0, 60.0, 80.0})
                     for (double distance : {1.0, 20.0}) {
                         const double a = degrees * 3.14159265358979 / 180;
@@ -104,4 +106,19 @@ TEST_CASE("a corner occludes as much where the radius is small beside the distan
         CHECK(near < 0.85);
         CHECK(std::abs(middle(recipe, 100) - near) < 0.0008);
     }
+}
+
+TEST_CASE("points behind the eye of a wide lens say nothing") {
+    const oracle::picture p = zoomed({{kind::plane, {0, -1, 0}, {0, 1, 0}},
+                                      {kind::plane, {0, 0, -3}, {0, 0, 1}},
+                                      {kind::plane, {-2, 0, 0}, {1, 0, 0}}},
+                                     lens::standard, 0.25, 97, 61);
+    const oracle::technique& points = oracle::techniques()[0];
+    const auto composed = oracle::compose(points.recipe());
+    const crease::parameters how = oracle::view_parameters(p, composed->view(), 4);
+    const oracle::settings s = oracle::settings_of(how);
+    const auto expected = oracle::main_pass(
+        p, s, 1, false, [&](const oracle::receiver& r) { return points.occlusion(p, r, s); });
+    oracle::check_within(oracle::compare(oracle::run(p, composed->view(), how), expected),
+                         oracle::of_rounding);
 }

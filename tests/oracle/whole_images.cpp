@@ -8,6 +8,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <functional>
 
 namespace {
@@ -39,6 +40,8 @@ differ(const technique& t, const std::string& parts, lens kind, bool reconstruct
 // 8 bits hold no visibility but 0 and 1 without an error.
 constexpr oracle::difference occluded_everywhere{
     .typical = 0.004, .mean = 0.0015, .border = 0.0015, .most = 0.3, .bias = 0.0006};
+constexpr oracle::difference mostly_open{
+    .typical = 0.004, .mean = 0.0001, .border = 0.0003, .most = 0.3, .bias = 0.00003};
 constexpr oracle::difference filtered{
     .typical = 0.008, .mean = 0.0012, .border = 0.0012, .most = 0.016, .bias = 0.0005};
 
@@ -90,6 +93,20 @@ TEST_CASE("upsampling from half, third and quarter resolution") {
     }
 }
 
+TEST_CASE("what shows between the pixels of the smaller picture is background") {
+    // A floor by a wall, and a column of the picture in which there is nothing.
+    using kind = oracle::surface::kind;
+    oracle::picture p =
+        oracle::draw({{kind::plane, {0, -0.5, 0}, {0, 1, 0}}, {kind::plane, {0, 0, -3}, {0, 0, 1}}},
+                     lens::standard, 64, 48);
+    for (int y = 0; y < p.height; ++y)
+        p.device[p.index(33, y)] = static_cast<float>(p.clear_value());
+    const std::vector<float> image = oracle::run(p, "directions:4x4/single_layer/hbao/upsample:2", 1);
+    CHECK(*std::min_element(image.begin(), image.end()) < 0.9f);
+    for (int y = 0; y < p.height; ++y)
+        CHECK(image[p.index(33, y)] == 1.0f);
+}
+
 TEST_CASE("half and quarter resolution along creases at a slant come near the whole one") {
     // Two walls and a floor whose creases cross the rows and columns of the picture at small angles.
     const glm::dvec3 floor = glm::normalize(glm::dvec3(0.12, 1, 0.5)),
@@ -131,6 +148,32 @@ TEST_CASE("strength and exponent") {
         return oracle::hbao(p, r, s, oracle::directions(p, r, s, 6, 3));
     });
     check_within(oracle::compare(oracle::run(p, composed->view(), how), expected), oracle::of_rounding);
+}
+
+TEST_CASE("the horizon of HBAO begins no higher than a right angle, however large the bias") {
+    const oracle::picture p = oracle::draw(oracle::still_life(), lens::standard, 97, 61);
+    const auto composed = oracle::compose("directions:6x8/single_layer/hbao");
+    crease::parameters how = oracle::view_parameters(p, composed->view(), 0.5);
+    how.bias = 1.2f;
+    const oracle::settings s = oracle::settings_of(how);
+    const auto expected = oracle::main_pass(p, s, 1, false, [&](const oracle::receiver& r) {
+        return oracle::hbao(p, r, s, oracle::directions(p, r, s, 6, 8));
+    });
+    check_within(oracle::compare(oracle::run(p, composed->view(), how), expected), oracle::of_rounding);
+}
+
+TEST_CASE("a radius of a few texels") {
+    // Taps fall on the receiver's own texel, and say nothing there.
+    const oracle::picture p = oracle::draw(oracle::still_life(), lens::standard, 97, 61);
+    for (const technique& t : techniques()) {
+        CAPTURE(t.recipe());
+        const auto composed = oracle::compose(t.recipe());
+        const crease::parameters how = oracle::view_parameters(p, composed->view(), 0.1);
+        const oracle::settings s = oracle::settings_of(how);
+        const auto expected = oracle::main_pass(
+            p, s, 1, false, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });
+        check_within(oracle::compare(oracle::run(p, composed->view(), how), expected), mostly_open);
+    }
 }
 
 TEST_CASE("a radius that reaches behind the eye") {

@@ -22,6 +22,19 @@ static_assert(check(unordered).message().view() ==
               "crease::effect: the estimator needs taps in order along directions, which the sampler does "
               "not propose (hbao, poisson_disk)");
 
+/// A filter that reads pixels of the picture, and makes it from a smaller one.
+constexpr step whole[] = {{.name = "zoom", .body = &bilateral_glsl, .full_size_input = true}};
+constexpr part zoom{.kind = role::filter,
+                    .name = "zoom",
+                    .summary = "",
+                    .source = "",
+                    .numbers = upsample<>::takes,
+                    .steps = whole,
+                    .upsampling = 0};
+constexpr choice zoomed[] = {
+    choice_of<directions<>>(), choice_of<single_layer>(), choice_of<hbao>(), {&zoom, {2}}};
+static_assert(check(zoomed).first == "zoom");
+
 }
 
 TEST_CASE("no choice at all is refused") {

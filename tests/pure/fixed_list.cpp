@@ -14,8 +14,8 @@ static_assert([] {
 
 TEST_CASE("fixed_text writes numbers") {
     crease::fixed_text<64> text;
-    text << 0 << " " << -7 << " " << 1023u << " " << std::numeric_limits<int>::min();
-    CHECK(text.view() == "0 -7 1023 -2147483648");
+    text << 0 << " " << -1 << " " << -7 << " " << 1023u << " " << std::numeric_limits<int>::min();
+    CHECK(text.view() == "0 -1 -7 1023 -2147483648");
 }
 
 TEST_CASE("fixed_text cuts off what does not fit and says so") {

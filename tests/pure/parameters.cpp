@@ -157,6 +157,17 @@ TEST_CASE("a point that a matrix projects is found again by the view_parameters"
     }
 }
 
+TEST_CASE("texels are those of the depth image, with its guard band") {
+    view_parameters p;
+    float matrix[16];
+    std::copy_n(glm::value_ptr(glm::perspectiveRH_ZO(1.0f, 16.0f / 9, 0.25f, 80.0f)), 16, matrix);
+    REQUIRE(set_projection(p, matrix, width, height, {}, 20));
+    CHECK(p.resolution[0] == width);
+    CHECK(p.resolution[1] == height);
+    CHECK(p.texel_size[0] == 1.0f / (width + 40));
+    CHECK(p.texel_size[1] == 1.0f / (height + 40));
+}
+
 TEST_CASE("the background begins at the far plane") {
     for (const projection& by : every_projection()) {
         CAPTURE(by.name);

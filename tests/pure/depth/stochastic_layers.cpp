@@ -23,8 +23,11 @@ static_assert(contains(layered::captures[0].pieces[0].text,
 static_assert(contains(layered::captures[0].pieces[0].text, "set = 1, binding = 2"));
 
 using sampled = effect<directions<4, 4>, stochastic_layers<6>, hbao>;
+static_assert(!effect<directions<4, 4>, stochastic_layers<6>, hbao, atomic_minimum<1, 2, 3>,
+                      opengl_glsl>::features.fragment_stores_and_atomics); // OpenGL asks for no feature
 static_assert(sampled::captures[0].to_attachment());
 static_assert(sampled::features.depth_samples == 8); // the next power of two
+static_assert(effect<directions<4, 4>, stochastic_layers<8>, hbao>::features.depth_samples == 8);
 static_assert(sampled::features.centred_depth_samples == 0);
 static_assert(contains(sampled::captures[0].pieces.back().text, "gl_FragDepth"));
 static_assert(effect<directions<4, 4>, single_layer, hbao>::captures.empty());
@@ -63,7 +66,10 @@ TEST_CASE("a second camera has a capture, a packing and layers of its own") {
     const effect_view view = composed.view();
     REQUIRE(view.captures.size() == 2);
     CHECK(view.captures[1].size.divisor == 2);
-    CHECK(view.passes.size() == 3);
+    REQUIRE(view.passes.size() == 3);
+    for (std::size_t i = 0; i < 2; ++i)
+        CHECK(contains(joined(view.passes[i].pieces),
+                       "const int crease_view_index = " + std::to_string(i) + ";"));
     for (const resource& r : view.resources)
         if (r.name == "packed_layers")
             CHECK(r.layers == 2);
