@@ -57,9 +57,9 @@ TEST_CASE("render: a plane seen from above is open, flat and at one depth") {
     CHECK(meta.at("near") == 0.5);
     CHECK(meta.at("far") == 100);
     CHECK(meta.at("radius") == 2);
-    CHECK(meta.at("recipe") == "directions:8x4/single_layer/hbao/bilateral:3");
+    CHECK(meta.at("recipe") == "directions:8x4x2/single_layer/hbao/bilateral:3");
     CHECK(meta.at("settings").at("bias").get<float>() == 0.2f);
-    CHECK(meta.at("settings").at("strength").get<float>() == 1.1f);
+    CHECK(meta.at("settings").at("strength").get<float>() == 1.15f);
     CHECK(meta.at("frame") == 3);
     CHECK(meta.at("guard") == 5);
     CHECK_FALSE(meta.at("device").get<std::string>().empty());
