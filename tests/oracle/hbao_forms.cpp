@@ -7,7 +7,6 @@
 #include <glm/gtc/constants.hpp>
 
 #include <cmath>
-#include <memory>
 
 namespace {
 
@@ -53,8 +52,7 @@ double occlusion_of(const oracle::picture& p, const std::vector<oracle::surface>
 /// The visibility that `directions:32x64` gives all pixels, its strength 1.
 std::vector<float> run(const oracle::picture& p, const std::string& parts, double radius, double bias) {
     const std::string text = fmt::format("directions:{}x{}/single_layer/hbao{}", slices, steps, parts);
-    const crease::recipe chosen{std::string_view(text)};
-    const auto composed = std::make_unique<crease::composition>(chosen);
+    const auto composed = oracle::compose(text);
     crease::parameters how = oracle::view_parameters(p, composed->view(), radius);
     how.strength = 1;
     how.bias = static_cast<float>(bias);
@@ -133,15 +131,10 @@ TEST_CASE("the inside of a sphere, by HBAO's integral") {
     const double s = 2, radius = 1.2, bias = 0.15;
     const oracle::picture p =
         oracle::draw({{kind::inside_of_sphere, {0, 0, -3}, {}, s}}, lens::standard, 257, 181);
-    const crease::recipe chosen("directions:32x64/single_layer/hbao");
-    const auto composed = std::make_unique<crease::composition>(chosen);
-    crease::parameters how = oracle::view_parameters(p, composed->view(), radius);
-    how.strength = 1;
-    how.bias = static_cast<float>(bias);
     const double first = 2 * s * std::sin(bias);
     const auto integral = [&](double r) { return (r - r * r * r / (3 * radius * radius)) / (2 * s); };
     const double expected = 1 - (integral(radius) - integral(first));
-    CHECK(std::abs(oracle::run(p, composed->view(), how)[p.index(128, 90)] - expected) < 0.006);
+    CHECK(std::abs(run(p, "", radius, bias)[p.index(128, 90)] - expected) < 0.006);
 }
 
 TEST_CASE("beside a step, by HBAO's integral") {
@@ -151,8 +144,7 @@ TEST_CASE("beside a step, by HBAO's integral") {
     const oracle::picture p = oracle::draw(
         {{kind::plane, {0, 0, -4}, {0, 0, 1}}, {kind::half_plane, {0, 0, -4 + height}, {0, 0, 1}}},
         lens::orthographic, 400, 267);
-    const crease::recipe chosen("directions:64x64/single_layer/hbao/orthographic");
-    const auto composed = std::make_unique<crease::composition>(chosen);
+    const auto composed = oracle::compose("directions:64x64/single_layer/hbao/orthographic");
     crease::parameters how = oracle::view_parameters(p, composed->view(), radius);
     how.strength = 1;
     how.bias = static_cast<float>(bias);

@@ -31,9 +31,8 @@ struct unsharp_mask {
                                      {&area_means::value, &unsharp_mask_areas_glsl, format::rg32_float}};
     static constexpr setting reads[] = {
         {"threshold", &parameters::threshold, 0.02f, 1e-6f, 1,
-         "difference of linearised depth from which a neighbour is left out; the far plane has 1, or 50 "
-         "radii "
-         "do where there is none"},
+         "difference of linearised depth from which a neighbour is left out; the far plane has 1, or "
+         "where there is none 50 radii do"},
         {"strength", &parameters::strength, 20, 0, 1000, "factor of the difference"},
         {"exponent", &parameters::exponent, 1, 0.01f, 16, "power of the visibility"},
     };
