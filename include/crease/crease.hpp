@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/effect.hpp>
-#include <crease/parts.hpp>
-#include <crease/recipe.hpp>
+#include <crease/compose/composition.hpp>
+#include <crease/compose/effect.hpp>
+#include <crease/parts/all_parts.hpp>

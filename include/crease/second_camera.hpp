@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/parameters.hpp>
+#include <crease/effect/parameters.hpp>
 
 #include <cmath>
 
 namespace crease {
 
 /// Places the second camera of an effect as stochastic-depth-ao 8.3 does: to the right and in front of the
-/// first, turned to the middle of what that sees. Fills `second_from_first`, which is also how a host draws
-/// for the second camera: its view matrix is `second_from_first` times that of the first.
+/// first, turned to the middle of what that sees. Fills `further_views[0].from_first`, which is also how a host draws
+/// for the second camera: its view matrix is `further_views[0].from_first` times that of the first.
 /// @param right,forward  of the first camera, view-space units
 /// @param focus          depth of the point in the middle of the first camera's picture that both look at, >
 /// forward
@@ -22,13 +22,13 @@ inline void place_second_camera(parameters& p, float right, float forward, float
     for (int row = 0; row < 3; ++row) {
         float offset = 0;
         for (int column = 0; column < 3; ++column) {
-            p.second_from_first[4 * column + row] = rows[row][column];
+            p.further_views[0].from_first[4 * column + row] = rows[row][column];
             offset -= rows[row][column] * eye[column];
         }
-        p.second_from_first[12 + row] = offset;
-        p.second_from_first[4 * row + 3] = 0;
+        p.further_views[0].from_first[12 + row] = offset;
+        p.further_views[0].from_first[4 * row + 3] = 0;
     }
-    p.second_from_first[15] = 1;
+    p.further_views[0].from_first[15] = 1;
 }
 
 }

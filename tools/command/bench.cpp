@@ -204,6 +204,8 @@ nlohmann::ordered_json measure(vulkan::device& device, const candidate& of, cons
     score mean;
     const auto composed = std::make_unique<composition>(supported(device, of.chosen));
     for (const pass& p : composed->view().passes) {
+        if (p.stage == stage_kind::geometry)
+            continue;
         const shader_work work = count_work(spirv::compile(p));
         const double milliseconds = times.passes[passes.size()].milliseconds;
         passes.push_back({{"name", p.name},
@@ -287,7 +289,7 @@ std::vector<baseline> time_baselines(vulkan::device& device, const gbuffer& inpu
                                   time_fetch_loop(device, inputs, options.repeats)}};
     const bool tables = std::ranges::any_of(candidates, [](const candidate& each) {
         return std::ranges::any_of(each.chosen.choices(),
-                                   [](const choice& c) { return has(c.what->offers, &area_layers::value); });
+                                   [](const choice& c) { return has(c.what->offers, &layers_of_areas::value); });
     });
     if (!tables)
         return all;

@@ -41,9 +41,10 @@ nlohmann::ordered_json times_of(const std::vector<vulkan::pass_time>& times) {
 nlohmann::ordered_json describe(const render_options& options, const camera& from, const recipe& chosen,
                                 const parameters& used, const frame& made, const std::string& device) {
     nlohmann::ordered_json settings;
-    for (const choice& c : complete(chosen.choices()))
-        for (const setting& s : c.what->settings)
-            settings[std::string(s.name)] = used.*s.field;
+    const std::vector<effect_setting> known = settings_of(chosen);
+    for (std::size_t i = 0; i < known.size(); ++i)
+        settings[(known[i].shared ? "" : std::string(known[i].part) + ".") + std::string(known[i].name)] =
+            used.settings[i];
     return {{"scene", options.scene.scene},
             {"camera", from.name},
             {"width", from.width},

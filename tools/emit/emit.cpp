@@ -24,12 +24,12 @@ std::string joined(std::span<const piece> pieces) {
 }
 
 const char* extension(const pass& p) {
-    constexpr const char* of_stage[] = {"comp", "frag", "glsl"};
+    constexpr const char* of_stage[] = {"comp", "frag", "glsl", "glsl"};
     return of_stage[static_cast<int>(p.stage)];
 }
 
 bool has_spirv(const pass& p) {
-    return p.stage != stage_kind::functions && p.dialect == dialect_kind::vulkan;
+    return p.stage != stage_kind::functions && p.stage != stage_kind::geometry && p.dialect == dialect_kind::vulkan;
 }
 
 spirv::words checked(spirv::words module) {
@@ -82,9 +82,9 @@ std::string header(const emit_options& options, std::string_view recipe_text, st
     for (std::size_t i = 0; i < passes.size(); ++i)
         text += has_spirv(passes[i]) ? word_array(names[i], checked(spirv::compile(passes[i])))
                                      : text_constant(names[i], joined(passes[i].pieces));
-    if (!passes[0].vertex_pieces.empty())
-        text += has_spirv(passes[0]) ? word_array("fullscreen", checked(spirv::compile_vertex(passes[0])))
-                                     : text_constant("fullscreen", joined(passes[0].vertex_pieces));
+    if (!passes.back().vertex_pieces.empty())
+        text += has_spirv(passes.back()) ? word_array("fullscreen", checked(spirv::compile_vertex(passes.back())))
+                                     : text_constant("fullscreen", joined(passes.back().vertex_pieces));
     return text + "}\n";
 }
 
@@ -119,7 +119,7 @@ std::vector<std::filesystem::path> emit(const emit_options& options) {
     if (options.format == emit_format::header && !is_identifier(options.name))
         throw std::runtime_error(fmt::format("'{}' is no C++ identifier to name a header by", options.name));
     if ((options.format == emit_format::spirv || options.format == emit_format::spirv_asm) &&
-        !has_spirv(passes[0]))
+        !has_spirv(passes[passes.size() - 1]))
         throw std::runtime_error(
             "SPIR-V can be emitted of programs in the vulkan dialect only: functions and the "
             "opengl dialect come as GLSL, by --format glsl or header");
@@ -142,16 +142,16 @@ std::vector<std::filesystem::path> emit(const emit_options& options) {
     }
     for (std::size_t i = 0; i < passes.size(); ++i) {
         const std::string stem = fmt::format("{}_{}.{}", i, passes[i].name, extension(passes[i]));
-        if (options.format == emit_format::glsl)
-            write(stem, joined(passes[i].pieces));
+        if (options.format == emit_format::glsl || passes[i].stage == stage_kind::geometry)
+            write(stem, joined(passes[i].pieces)); // of geometry the host's shader makes a program
         else
             write_module(stem, checked(spirv::compile(passes[i])));
     }
-    if (!passes[0].vertex_pieces.empty()) {
+    if (!passes.back().vertex_pieces.empty()) {
         if (options.format == emit_format::glsl)
-            write("fullscreen.vert", joined(passes[0].vertex_pieces));
+            write("fullscreen.vert", joined(passes.back().vertex_pieces));
         else
-            write_module("fullscreen.vert", checked(spirv::compile_vertex(passes[0])));
+            write_module("fullscreen.vert", checked(spirv::compile_vertex(passes.back())));
     }
     return written;
 }

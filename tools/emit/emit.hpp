@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/recipe.hpp>
+#include <crease/compose/composition.hpp>
 
 #include <filesystem>
 #include <string>

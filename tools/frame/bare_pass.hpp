@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/pass.hpp>
+#include <crease/effect/pass.hpp>
 
 #include <span>
 

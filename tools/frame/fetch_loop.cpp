@@ -32,13 +32,13 @@ void main() {
 
 double time_fetch_loop(vulkan::device& device, const gbuffer& inputs, unsigned repeats) {
     const piece pieces[] = {{"fetch_loop.comp", glsl}};
-    const resource resources[] = {{.name = "parameters"},
+    const resource resources[] = {{.name = "parameters", .kind = resource_kind::block},
                                   {.name = "depth", .texels = format::d32_float, .size = {.guarded = true}},
                                   {.name = "sum", .texels = format::r32_float, .life = lifetime::output}};
     const binding bindings[] = {{.name = "depth", .resource = 1, .how = access::sample, .slot = 1},
                                 {.name = "output", .resource = 2, .how = access::store, .slot = 2}};
     const pass passes[] = {bare_pass(pieces, bindings)};
-    vulkan::runner runner(device, {{}, passes, resources, {}, {}}, inputs.depth.width, inputs.depth.height,
+    vulkan::runner runner(device, {.passes = passes, .resources = resources, .settings = {}, .features = {}, .defaults = {}}, inputs.depth.width, inputs.depth.height,
                           {.guard = inputs.guard, .constants = {}, .shaders = {}});
     runner.upload("depth", inputs.device);
     return median_run(runner, repeats);

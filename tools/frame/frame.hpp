@@ -5,7 +5,7 @@
 #include "image/image.hpp"
 #include "scene/scene.hpp"
 
-#include <crease/recipe.hpp>
+#include <crease/compose/composition.hpp>
 #include <crease/vulkan.hpp>
 
 #include <functional>
@@ -37,7 +37,7 @@ struct gbuffer {
 /// @throws vulkan::error, scene_error
 gbuffer rasterise(vulkan::device& device, const mesh& scene, const camera& from, unsigned guard = 0);
 
-/// What a picture of an effect took.
+/// What a picture of an effect took: its geometry passes, and the others.
 struct frame_times {
     std::vector<vulkan::pass_time> captures, passes;
 };
@@ -51,7 +51,8 @@ struct frame {
 
 struct frame_options {
     float radius = 1;                      ///< world space, >= 0
-    std::map<std::string, float> settings; ///< by the names that the effect's parts give them
+    std::map<std::string, float> settings; ///< by the names that the effect's parts give them, "bias" or
+                                           ///< "hbao.bias"
     std::uint32_t frame = 0;               ///< index that changes the randomness
     std::optional<camera> second = {};     ///< of an effect with a second view; else placed beside the first
 };
@@ -60,9 +61,8 @@ struct frame_options {
 /// @throws std::runtime_error  that quotes the one that does not read so
 std::map<std::string, float> parse_settings(const std::vector<std::string>& texts);
 
-/// The recipe with the first layer carrier, in the order of the index of parts, that the device supports,
-/// where it captures layers and names none.
-/// @throws vulkan::error  where the device supports none
+/// The recipe with what suits the device, where it names none: the first layer storage, in the order of the index
+/// of parts, that the device supports, where it captures layers; on a processor reads by image loads.
 recipe supported(const vulkan::device& device, const recipe& chosen);
 
 /// An effect that is ready to run on a G-buffer, which must outlive it. The effect reads device depth and
@@ -75,25 +75,19 @@ public:
     prepared_effect(vulkan::device& device, const recipe& chosen, const gbuffer& inputs,
                     const frame_options& options);
 
-    /// Draws the captures and runs the passes.
+    /// Runs the passes, those that draw geometry among them.
     frame_times run();
 
     /// What the last run made, without times.
     frame picture();
 
 private:
-    struct prepared_capture {
-        std::unique_ptr<vulkan::capturer> draws;
-        transforms pushed;
-    };
-
     const gbuffer& inputs_;
     std::unique_ptr<composition> composed_;
     parameters how_;
     std::unique_ptr<vulkan::runner> runner_;
-    std::vector<prepared_capture> captures_;
 
-    void prepare_captures(vulkan::device& device);
+    void set_geometry();
 };
 
 /// Runs effects on a G-buffer by turns, so that a machine whose speed drifts slows all of them alike.
@@ -106,6 +100,9 @@ std::vector<frame_times> take_turns(std::span<const std::unique_ptr<prepared_eff
 /// @throws as prepared_effect does
 frame run_effect(vulkan::device& device, const recipe& chosen, const gbuffer& inputs,
                  const frame_options& options);
+
+/// The settings of a recipe's parts, in the order of its block of parameters.
+std::vector<effect_setting> settings_of(const recipe& chosen);
 
 /// The parameters of a recipe with these settings, before the view.
 /// @throws std::runtime_error  where a setting is unknown to every part of the recipe, or out of its range

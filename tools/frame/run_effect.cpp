@@ -40,7 +40,7 @@ void main() { crease_capture(anchor); }
 
 void upload_inputs(vulkan::runner& runner, const effect_view& effect, const gbuffer& inputs) {
     for (const resource& wanted : effect.resources) {
-        if (wanted.life != lifetime::input || wanted.texels == format::none)
+        if (wanted.life != lifetime::input || wanted.kind != resource_kind::image)
             continue;
         if (wanted.name == "normal") {
             runner.upload(wanted.name, inputs.normals);
@@ -65,7 +65,7 @@ void place_second(parameters& how, const gbuffer& inputs, const frame_options& o
         glm::dmat4 turn(rotation * glm::transpose(view_rotation(inputs.from)));
         turn[3] = glm::dvec4(rotation * ((inputs.from.eye - options.second->eye) / unit), 1);
         const glm::mat4 rounded(turn);
-        std::copy_n(glm::value_ptr(rounded), 16, how.second_from_first);
+        std::copy_n(glm::value_ptr(rounded), 16, how.further_views[0].from_first);
         return;
     }
     std::vector<float> seen;
@@ -85,9 +85,9 @@ glm::vec3 of_octahedron(glm::vec2 point) {
     return glm::normalize(direction);
 }
 
-/// How the camera of a capture draws: of the second at the size of what it fills.
-transforms transforms_of(const capture& which, parameters& how, const gbuffer& inputs, bool second) {
-    if (!second)
+/// How the camera of a geometry pass draws: of the second at the size of what it fills.
+transforms transforms_of(const pass& which, parameters& how, const gbuffer& inputs) {
+    if (which.view == 0)
         return inputs.drawn.how;
     // The same lens as the first camera's, without its guard band.
     const unsigned width = which.size.width_of(inputs.depth.width),
@@ -101,9 +101,9 @@ transforms transforms_of(const capture& which, parameters& how, const gbuffer& i
         projection[column][0] *= guard_across;
         projection[column][1] *= guard_down;
     }
-    how.second_view = view_of(projection, width, height);
+    how.further_views[0].view = view_of(projection, width, height);
     glm::mat4 turn;
-    std::copy_n(how.second_from_first, 16, glm::value_ptr(turn));
+    std::copy_n(how.further_views[0].from_first, 16, glm::value_ptr(turn));
     return {turn * inputs.drawn.how.view_from_eye, projection};
 }
 
@@ -111,21 +111,26 @@ transforms transforms_of(const capture& which, parameters& how, const gbuffer& i
 
 recipe supported(const vulkan::device& device, const recipe& chosen) {
     const auto features = [](const recipe& of) { return std::make_unique<composition>(of)->view().features; };
+    const auto has = [](array_view<const choice> parts, role wanted) {
+        return std::ranges::any_of(parts, [wanted](const choice& c) { return c.what->kind == wanted; });
+    };
+    const auto with = [](const recipe& before, std::string_view part) {
+        return recipe(std::string(before.text().view()) + "/" + std::string(part));
+    };
+    recipe suited = chosen;
+    if (device.is_processor() && !has(chosen.choices(), role::image_reads))
+        suited = with(suited, image_load::description.name);
     const choice_list parts = complete(chosen.choices());
-    const bool captures =
-        std::ranges::any_of(parts, [](const choice& c) { return c.what->captures != nullptr; });
-    const bool named =
-        std::ranges::any_of(chosen.choices(), [](const choice& c) { return c.what->captures; });
-    if (!captures || named)
-        return chosen;
-    for (const part* carrier : all_parts) {
-        if (carrier->kind != role::layer_carrier)
+    if (!has(parts, role::layer_storage) || has(chosen.choices(), role::layer_storage))
+        return suited;
+    for (const part* storage : all_parts) {
+        if (storage->kind != role::layer_storage)
             continue;
-        const recipe with(std::string(chosen.text().view()) + "/" + std::string(carrier->name));
-        if (with && device.features().cover(features(with)))
-            return with;
+        const recipe stored = with(suited, storage->name);
+        if (stored && device.features().cover(features(stored)))
+            return stored;
     }
-    return chosen; // whose features the runner names
+    return suited; // whose features the runner names
 }
 
 prepared_effect::prepared_effect(vulkan::device& device, const recipe& wanted, const gbuffer& inputs,
@@ -135,43 +140,43 @@ prepared_effect::prepared_effect(vulkan::device& device, const recipe& wanted, c
     how_ = settle(chosen, options);
     composed_ = std::make_unique<composition>(chosen);
     const effect_view effect = composed_->view();
+    if (!*composed_)
+        throw std::runtime_error(std::string(composed_->error()));
     if (effect.passes.back().stage == stage_kind::functions ||
         effect.passes.back().dialect != dialect_kind::vulkan)
         throw std::runtime_error("a recipe that is run is of programs in the vulkan dialect");
     how_.view = inputs.view;
     how_.radius = inputs.drawn.scale.radius(options.radius);
-    if (effect.captures.size() > 1)
+    if (effect.views > 1)
         place_second(how_, inputs, options);
     runner_ = std::make_unique<vulkan::runner>(
         device, effect, inputs.depth.width, inputs.depth.height,
         vulkan::runner_options{.guard = inputs.guard, .constants = {}, .shaders = {}});
     upload_inputs(*runner_, effect, inputs);
-    prepare_captures(device);
+    set_geometry();
 }
 
-void prepared_effect::prepare_captures(vulkan::device& device) {
+void prepared_effect::set_geometry() {
     const piece vertex[] = {{"capture.vert", vertex_glsl}}, fragment[] = {{"capture.frag", fragment_glsl}};
-    const effect_view effect = composed_->view();
-    for (std::size_t i = 0; i < effect.captures.size(); ++i) {
-        const transforms pushed = transforms_of(effect.captures[i], how_, inputs_, i == 1);
-        captures_.push_back(
-            {std::make_unique<vulkan::capturer>(device, effect, i, *runner_,
-                                                vulkan::geometry_shaders{.vertex = vertex,
-                                                                         .fragment = fragment,
-                                                                         .push_constant_bytes = sizeof pushed,
-                                                                         .reversed_depth = true}),
-             pushed});
+    for (const pass& each : composed_->view().passes) {
+        if (each.stage != stage_kind::geometry)
+            continue;
+        const transforms pushed = transforms_of(each, how_, inputs_);
+        runner_->set_geometry(each.name,
+                              {.vertex = vertex,
+                               .fragment = fragment,
+                               .push_constant_bytes = sizeof pushed,
+                               .reversed_depth = true},
+                              *inputs_.drawn.triangles, std::as_bytes(std::span(&pushed, 1)));
     }
 }
 
 frame_times prepared_effect::run() {
     frame_times times;
-    for (std::size_t i = 0; i < captures_.size(); ++i)
-        times.captures.push_back(
-            {std::string(composed_->view().captures[i].name),
-             captures_[i].draws->draw(*inputs_.drawn.triangles, how_,
-                                      std::as_bytes(std::span(&captures_[i].pushed, 1)))});
-    times.passes = runner_->run(how_);
+    const array_view<const pass> passes = composed_->view().passes;
+    const std::vector<vulkan::pass_time> all = runner_->run(how_);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        (passes[i].stage == stage_kind::geometry ? times.captures : times.passes).push_back(all[i]);
     return times;
 }
 

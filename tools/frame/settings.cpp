@@ -3,30 +3,29 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 
 namespace crease::tools {
 
 namespace {
 
-const setting* find_setting(const choice_list& parts, const std::string& name) {
-    for (const choice& c : parts)
-        for (const setting& s : c.what->settings)
-            if (s.name == name)
-                return &s;
-    return nullptr;
-}
-
-std::string names_of(const choice_list& parts) {
+std::string names_of(const std::vector<effect_setting>& settings) {
     std::string names;
-    for (const choice& c : parts)
-        for (const setting& s : c.what->settings)
-            names += fmt::format("{}{}", names.empty() ? "" : ", ", s.name);
+    for (const effect_setting& s : settings)
+        names += fmt::format("{}{}{}{}", names.empty() ? "" : ", ", s.shared ? "" : s.part, s.shared ? "" : ".",
+                             s.name);
     return names;
 }
 
+}
+
+std::vector<effect_setting> settings_of(const recipe& chosen) {
+    const auto planned = std::make_unique<plan>(make_plan(chosen.choices()));
+    return {planned->settings.begin(), planned->settings.end()};
 }
 
 std::map<std::string, float> parse_settings(const std::vector<std::string>& texts) {
@@ -49,19 +48,19 @@ parameters settle(const recipe& chosen, const frame_options& options) {
     if (!(options.radius >= 0) || std::isinf(options.radius))
         throw std::runtime_error(
             fmt::format("the radius is {}; it must be finite and not negative", options.radius));
-    const choice_list parts = complete(chosen.choices());
-    parameters settled = default_parameters(parts);
+    const std::vector<effect_setting> known = settings_of(chosen);
+    parameters settled = default_parameters(known);
     settled.radius = options.radius;
     settled.frame = options.frame;
     for (const auto& [name, value] : options.settings) {
-        const setting* found = find_setting(parts, name);
-        if (!found)
+        const auto found =
+            std::ranges::find_if(known, [&name = name](const effect_setting& s) { return s.is(name); });
+        if (found == known.end())
             throw std::runtime_error(fmt::format("no part of this recipe has the setting '{}'; there are {}",
-                                                 name, names_of(parts)));
-        if (!(value >= found->least && value <= found->most))
+                                                 name, names_of(known)));
+        if (!set(settled, known, name, value))
             throw std::runtime_error(
                 fmt::format("{}={} is out of its range, {} to {}", name, value, found->least, found->most));
-        settled.*found->field = value;
     }
     return settled;
 }

@@ -25,13 +25,13 @@ void main() {
 double time_table_copy(vulkan::device& device, unsigned width, unsigned height, unsigned repeats) {
     const piece pieces[] = {{"table_copy.comp", glsl}};
     const resource resources[] = {
-        {.name = "parameters"},
+        {.name = "parameters", .kind = resource_kind::block},
         {.name = "from", .texels = format::rgba32_float, .life = lifetime::transient},
         {.name = "to", .texels = format::rgba32_float, .life = lifetime::output}};
     const binding bindings[] = {{.name = "from", .resource = 1, .how = access::modify, .slot = 1},
                                 {.name = "output", .resource = 2, .how = access::store, .slot = 2}};
     const pass passes[] = {bare_pass(pieces, bindings)};
-    vulkan::runner runner(device, {{}, passes, resources, {}, {}}, width, height);
+    vulkan::runner runner(device, {.passes = passes, .resources = resources, .settings = {}, .features = {}, .defaults = {}}, width, height);
     return median_run(runner, repeats);
 }
 

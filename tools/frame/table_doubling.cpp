@@ -35,7 +35,7 @@ void main() {
 double time_table_doubling(vulkan::device& device, unsigned width, unsigned height, unsigned repeats) {
     const piece pieces[] = {{"table_doubling.comp", glsl}};
     const resource resources[] = {
-        {.name = "parameters"},
+        {.name = "parameters", .kind = resource_kind::block},
         {.name = "even", .texels = format::rgba32_float, .life = lifetime::transient},
         {.name = "odd", .texels = format::rgba32_float, .life = lifetime::transient}};
     const binding there[] = {{.name = "from", .resource = 1, .how = access::modify, .slot = 1},
@@ -54,7 +54,7 @@ double time_table_doubling(vulkan::device& device, unsigned width, unsigned heig
     for (const std::array<constant, 4>& own : constants)
         passes.push_back(
             bare_pass(pieces, passes.size() % 2 == 0 ? array_view<const binding>(there) : back, own));
-    vulkan::runner runner(device, {{}, passes, resources, {}, {}}, width, height);
+    vulkan::runner runner(device, {.passes = passes, .resources = resources, .settings = {}, .features = {}, .defaults = {}}, width, height);
     return median_run(runner, repeats);
 }
 

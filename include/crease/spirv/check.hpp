@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/pass.hpp>
+#include <crease/effect/effect_view.hpp>
 #include <crease/spirv/reflection.hpp>
 
 #include <algorithm>
-#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,35 +12,15 @@
 
 namespace crease::spirv::detail {
 
-/// A member of the GLSL block of parameters and where crease::parameters has it.
-struct mirrored_member {
-    std::string_view name;
-    std::size_t offset;
-};
-
-inline constexpr mirrored_member parameter_members[] = {
-    {"crease_views", offsetof(parameters, view)},
-    {"crease_second_from_first", offsetof(parameters, second_from_first)},
-    {"crease_radius", offsetof(parameters, radius)},
-    {"crease_bias", offsetof(parameters, bias)},
-    {"crease_threshold", offsetof(parameters, threshold)},
-    {"crease_strength", offsetof(parameters, strength)},
-    {"crease_exponent", offsetof(parameters, exponent)},
-    {"crease_sharpness", offsetof(parameters, sharpness)},
-    {"crease_frame", offsetof(parameters, frame)},
-    {"crease_opacity", offsetof(parameters, opacity)},
-    {"crease_front_reach", offsetof(parameters, front_reach)},
-    {"crease_falloff", offsetof(parameters, falloff)},
-};
-
 constexpr std::string_view name_of(binding_kind kind) {
     constexpr std::string_view names[] = {"a uniform block", "a storage block", "a sampled image",
                                           "a storage image", "another kind of descriptor"};
     return names[static_cast<unsigned>(kind)];
 }
 
-constexpr binding_kind kind_of(access how) {
-    return how == access::uniform  ? binding_kind::uniform_block
+constexpr binding_kind kind_of(access how, resource_kind of) {
+    return how == access::uniform          ? binding_kind::uniform_block
+           : of == resource_kind::buffer   ? binding_kind::storage_block
            : how == access::sample ? binding_kind::sampled_image
                                    : binding_kind::storage_image;
 }
@@ -52,19 +31,13 @@ public:
     comparison(const effect_view& effect, const pass& declared, const reflection& found)
         : effect_(effect), title_("pass '" + std::string(declared.name) + "'"), bindings_(declared.bindings),
           constants_(declared.constants), found_(found) {
-        compare_entry(declared);
+        if (declared.stage != stage_kind::geometry)
+            compare_entry(declared);
         compare_bindings();
         compare_constants();
         if (declared.stage == stage_kind::compute)
             compare_workgroup(declared);
     }
-    comparison(const effect_view& effect, const capture& declared, const reflection& found)
-        : effect_(effect), title_("capture '" + std::string(declared.name) + "'"),
-          bindings_(declared.bindings), constants_(declared.constants), found_(found) {
-        compare_bindings();
-        compare_constants();
-    }
-
     std::vector<std::string> sentences;
 
 private:
@@ -134,24 +107,29 @@ private:
     }
 
     void compare_binding(const binding& b, const bound_resource& f) {
+        const resource& r = effect_.resources[b.resource];
         const std::string what = place(b.set, b.slot), name = "crease_" + std::string(b.name);
-        differ(what, name, f.name);
-        differ(name, std::string(name_of(kind_of(b.how))), std::string(name_of(f.kind)));
-        if (f.kind != kind_of(b.how))
+        const binding_kind kind = kind_of(b.how, r.kind);
+        differ(what, kind == binding_kind::storage_block ? name + "_buffer" : name, f.name);
+        differ(name, std::string(name_of(kind)), std::string(name_of(f.kind)));
+        if (f.kind != kind)
             return;
         if (b.how == access::uniform)
             return compare_block(f);
-        const resource& image = effect_.resources[b.resource];
-        const bool stored = writes(b.how);
-        if (stored || b.how == access::load)
-            differ("the format of " + name, std::string(facts_of(image.texels).name),
-                   std::string(facts_of(f.texels).name));
-        if (stored && !f.writable)
-            say(name + " is declared as stored to, but the SPIR-V only reads it");
-        else if (b.how == access::store && f.readable)
-            say(name + " is declared as stored to, but the SPIR-V may also read it");
         if (b.how == access::load && f.writable)
             say(name + " is declared as loaded, but the SPIR-V may store to it");
+        if (writes(b.how) && !f.writable)
+            say(name + " is declared as stored to, but the SPIR-V only reads it");
+        if (r.kind == resource_kind::image)
+            compare_image(b, r, f, name);
+    }
+
+    void compare_image(const binding& b, const resource& image, const bound_resource& f, const std::string& name) {
+        if (writes(b.how) || b.how == access::load)
+            differ("the format of " + name, std::string(facts_of(image.texels).name),
+                   std::string(facts_of(f.texels).name));
+        if (b.how == access::store && f.readable)
+            say(name + " is declared as stored to, but the SPIR-V may also read it");
         if (b.how == access::modify && !f.readable)
             say(name + " is declared as changed, but the SPIR-V only stores to it");
         const bool whole_numbers = facts_of(image.texels).whole_numbers;
@@ -167,20 +145,42 @@ private:
                 (f.multisampled ? "multisampled" : "not multisampled"));
     }
 
+    /// A member of the block of parameters, and where `write_block` writes it.
+    struct written_member {
+        std::string name;
+        std::size_t offset;
+    };
+
+    std::vector<written_member> written_members() const {
+        std::size_t at = effect_.views * sizeof(view_parameters);
+        std::vector<written_member> members{{"views", 0}};
+        if (effect_.views > 1) {
+            members.push_back({"from_first", at});
+            at += (effect_.views - 1) * sizeof(further_view::from_first);
+        }
+        members.push_back({"radius", at});
+        members.push_back({"frame", at + 4});
+        at += 8;
+        for (const effect_setting& s : effect_.settings) {
+            members.push_back({(s.shared ? "" : std::string(s.part) + "_") + std::string(s.name), at});
+            at += sizeof(float);
+        }
+        return members;
+    }
+
     void compare_block(const bound_resource& block) {
-        for (const mirrored_member& mirrored : parameter_members) {
-            const auto at = std::ranges::find(block.members, mirrored.name, &block_member::name);
+        const std::vector<written_member> written = written_members();
+        for (const written_member& each : written) {
+            const auto at = std::ranges::find(block.members, each.name, &block_member::name);
             if (at == block.members.end())
-                say("the block of parameters in the SPIR-V lacks " + std::string(mirrored.name));
+                say("the block of parameters in the SPIR-V lacks " + each.name);
             else
-                differ("the offset of " + at->name, std::to_string(mirrored.offset),
-                       std::to_string(at->offset));
+                differ("the offset of " + at->name, std::to_string(each.offset), std::to_string(at->offset));
         }
         for (const block_member& member : block.members)
-            if (std::ranges::find(parameter_members, member.name, &mirrored_member::name) ==
-                std::end(parameter_members))
-                say("crease::parameters lacks " + member.name + ", which is in the SPIR-V");
-        differ("the size of the block of parameters", std::to_string(sizeof(parameters)),
+            if (std::ranges::find(written, member.name, &written_member::name) == written.end())
+                say("the effect's parameters lack " + member.name + ", which is in the SPIR-V");
+        differ("the size of the block of parameters", std::to_string(effect_.block_size()),
                std::to_string(block.size));
     }
 
@@ -229,15 +229,10 @@ namespace crease::spirv {
 /// What a module, as compile() gives it, has otherwise than its effect declares: bindings, their names, kinds
 /// and formats, the layout of the block of parameters, specialization constants, workgroup size, colour
 /// output.
-/// @param declared  a compute or fragment pass of `effect`
+/// @param declared  a compute, fragment or geometry pass of `effect`; of the last the module is the host's fragment
+///                  shader with its functions, whose bindings are all there are
 /// @return one sentence for each difference; empty where there is none
 inline std::vector<std::string> mismatches(const effect_view& effect, const pass& declared,
-                                           const reflection& found) {
-    return detail::comparison(effect, declared, found).sentences;
-}
-
-/// The same for a host's fragment shader with a capture of `effect`, whose bindings are all there are.
-inline std::vector<std::string> mismatches(const effect_view& effect, const capture& declared,
                                            const reflection& found) {
     return detail::comparison(effect, declared, found).sentences;
 }

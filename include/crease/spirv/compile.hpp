@@ -40,6 +40,8 @@ inline std::string title_of(const pass& which) {
 
 /// @throws error  where the pass is not a whole program in `dialect`
 inline void expect_program(const pass& which, dialect_kind dialect) {
+    if (which.stage == stage_kind::geometry)
+        throw error(title_of(which) + " is functions for the host's geometry: it has no main to compile");
     if (which.stage == stage_kind::functions)
         throw error(title_of(which) + " is functions for an engine's own shader: it has no main to compile");
     if (which.dialect != dialect)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/pass.hpp>
+#include <crease/effect/effect_view.hpp>
 #include <crease/spirv/module.hpp>
 
 #include <glslang/Public/ResourceLimits.h>

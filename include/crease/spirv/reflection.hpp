@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/resource.hpp>
+#include <crease/effect/resource.hpp>
 
 #include <array>
 #include <cstdint>

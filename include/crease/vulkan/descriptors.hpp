@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/pass.hpp>
+#include <crease/effect/effect_view.hpp>
 #include <crease/vulkan/buffer.hpp>
 #include <crease/vulkan/image.hpp>
 
@@ -11,8 +11,9 @@
 
 namespace crease::vulkan::detail {
 
-constexpr VkDescriptorType descriptor_of(access how) {
-    return how == access::uniform  ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
+constexpr VkDescriptorType descriptor_of(access how, resource_kind of) {
+    return how == access::uniform          ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
+           : of == resource_kind::buffer   ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
            : how == access::sample ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
                                    : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 }
@@ -27,6 +28,31 @@ constexpr image_use shader_use_of(access how, VkPipelineStageFlags stage) {
             how == access::load ? VK_IMAGE_LAYOUT_GENERAL : VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false};
 }
 
+/// What the descriptors of an effect point to, by resource: of each an image or a buffer, null elsewhere.
+struct bound_resources {
+    std::vector<image*> images;
+    std::vector<const buffer*> buffers; ///< 0 is the block of parameters
+};
+
+/// Records the barriers that a program needs before it runs in a stage.
+inline void prepare_for(VkCommandBuffer commands, std::span<const binding> of, const bound_resources& bound,
+                        VkPipelineStageFlags stage) {
+    bool has_buffers = false;
+    for (const binding& b : of)
+        if (has_descriptor(b.how) && bound.images[b.resource])
+            bound.images[b.resource]->transition(commands, shader_use_of(b.how, stage));
+        else
+            has_buffers = has_buffers || (b.resource != 0 && has_descriptor(b.how));
+    if (!has_buffers)
+        return;
+    auto barrier = blank<VkMemoryBarrier>(VK_STRUCTURE_TYPE_MEMORY_BARRIER);
+    barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT;
+    barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT;
+    constexpr VkPipelineStageFlags writers = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT |
+                                             VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT;
+    vkCmdPipelineBarrier(commands, writers, stage, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+}
+
 inline owned_sampler make_nearest_sampler(const device& on) {
     auto info = blank<VkSamplerCreateInfo>(VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO);
     info.magFilter = info.minFilter = VK_FILTER_NEAREST;
@@ -38,10 +64,13 @@ inline owned_sampler make_nearest_sampler(const device& on) {
 /// The descriptor sets of one program, and the pipeline layout they make.
 class descriptors {
 public:
+    /// @param of          bindings of `resources`
     /// @param push_bytes  of push constants, which the stages of `pushed_to` read
-    descriptors(const device& on, std::span<const binding> of, VkShaderStageFlags stage,
-                std::uint32_t push_bytes = 0, VkShaderStageFlags pushed_to = 0)
+    descriptors(const device& on, std::span<const binding> of, std::span<const resource> resources,
+                VkShaderStageFlags stage, std::uint32_t push_bytes = 0, VkShaderStageFlags pushed_to = 0)
         : device_(on.handle()) {
+        for (const resource& r : resources)
+            kinds_.push_back(r.kind);
         std::ranges::copy_if(of, std::back_inserter(bindings_),
                              [](const binding& b) { return has_descriptor(b.how); });
         std::uint32_t set_count = 0;
@@ -64,21 +93,21 @@ public:
 
     VkPipelineLayout layout() const { return layout_; }
 
-    /// @param images  by resource; null at the block of parameters
-    void write(std::span<image* const> images, const buffer& parameters, VkSampler sampler) const {
-        const VkDescriptorBufferInfo block{parameters.handle(), 0, VK_WHOLE_SIZE};
+    void write(const bound_resources& bound, VkSampler sampler) const {
         for (const binding& b : bindings_) {
             auto write = blank<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
             write.dstSet = sets_[b.set];
             write.dstBinding = b.slot;
             write.descriptorCount = 1;
-            write.descriptorType = descriptor_of(b.how);
+            write.descriptorType = type_of(b);
             VkDescriptorImageInfo texels{};
-            if (b.how == access::uniform) {
-                write.pBufferInfo = &block;
-            } else {
-                texels = {sampler, images[b.resource]->view(), shader_use_of(b.how, 0).layout};
+            VkDescriptorBufferInfo block{};
+            if (const image* bound_image = bound.images[b.resource]) {
+                texels = {sampler, bound_image->view(), shader_use_of(b.how, 0).layout};
                 write.pImageInfo = &texels;
+            } else {
+                block = {bound.buffers[b.resource]->handle(), 0, VK_WHOLE_SIZE};
+                write.pBufferInfo = &block;
             }
             vkUpdateDescriptorSets(device_, 1, &write, 0, nullptr);
         }
@@ -92,17 +121,20 @@ public:
 
 private:
     VkDevice device_;
+    std::vector<resource_kind> kinds_; ///< by resource
     std::vector<binding> bindings_; ///< those that have a descriptor
     std::vector<owned_set_layout> layouts_;
     owned_pipeline_layout layout_;
     owned_descriptor_pool pool_;
     std::vector<VkDescriptorSet> sets_;
 
+    VkDescriptorType type_of(const binding& b) const { return descriptor_of(b.how, kinds_[b.resource]); }
+
     owned_set_layout make_set_layout(std::uint32_t set, VkShaderStageFlags stage) const {
         std::vector<VkDescriptorSetLayoutBinding> slots;
         for (const binding& b : bindings_)
             if (b.set == set)
-                slots.push_back({b.slot, descriptor_of(b.how), 1, stage, nullptr});
+                slots.push_back({b.slot, type_of(b), 1, stage, nullptr});
         auto info =
             blank<VkDescriptorSetLayoutCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO);
         info.bindingCount = static_cast<std::uint32_t>(slots.size());
@@ -113,7 +145,7 @@ private:
     void allocate_sets(const std::vector<VkDescriptorSetLayout>& layouts) {
         std::vector<VkDescriptorPoolSize> sizes;
         for (const binding& b : bindings_)
-            sizes.push_back({descriptor_of(b.how), 1});
+            sizes.push_back({type_of(b), 1});
         auto info = blank<VkDescriptorPoolCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO);
         info.maxSets = static_cast<std::uint32_t>(layouts.size());
         info.poolSizeCount = static_cast<std::uint32_t>(sizes.size());

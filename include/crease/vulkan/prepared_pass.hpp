@@ -16,10 +16,10 @@ public:
     /// @param values  of the pass's constants, in their order
     /// @param outputs  the images that the pass writes
     /// @param size     of the outputs, texels
-    prepared_pass(const device& on, const pass& of, const pass_shaders& shaders,
+    prepared_pass(const device& on, const pass& of, std::span<const resource> resources, const pass_shaders& shaders,
                   std::span<const std::int32_t> values, const std::vector<image*>& outputs, VkExtent2D size)
         : pass_(of), compute_(of.stage == stage_kind::compute),
-          descriptors_(on, of.bindings,
+          descriptors_(on, of.bindings, resources,
                        compute_ ? VK_SHADER_STAGE_COMPUTE_BIT : VK_SHADER_STAGE_FRAGMENT_BIT) {
         const specialization constants(of.constants, values);
         if (compute_) {
@@ -37,18 +37,14 @@ public:
 
     std::string name() const { return std::string(pass_.name); }
 
-    void write_descriptors(std::span<image* const> images, const buffer& parameters,
-                           VkSampler sampler) const {
-        descriptors_.write(images, parameters, sampler);
+    void write_descriptors(const bound_resources& bound, VkSampler sampler) const {
+        descriptors_.write(bound, sampler);
     }
 
-    /// @param images  by resource, as the descriptors were written
-    void record(VkCommandBuffer commands, std::span<image* const> images) const {
-        const VkPipelineStageFlags stage =
-            compute_ ? VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT : VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT;
-        for (const binding& b : pass_.bindings)
-            if (b.resource != 0 && has_descriptor(b.how))
-                images[b.resource]->transition(commands, shader_use_of(b.how, stage));
+    /// @param bound  as the descriptors were written
+    void record(VkCommandBuffer commands, const bound_resources& bound) const {
+        prepare_for(commands, pass_.bindings, bound,
+                    compute_ ? VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT : VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT);
         const VkPipelineBindPoint point =
             compute_ ? VK_PIPELINE_BIND_POINT_COMPUTE : VK_PIPELINE_BIND_POINT_GRAPHICS;
         vkCmdBindPipeline(commands, point, pipeline_);

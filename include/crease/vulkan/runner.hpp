@@ -2,6 +2,7 @@
 #pragma once
 
 #include <crease/vulkan/copy.hpp>
+#include <crease/vulkan/geometry.hpp>
 #include <crease/vulkan/prepared_pass.hpp>
 #include <crease/vulkan/timestamps.hpp>
 
@@ -39,18 +40,23 @@ public:
     runner(device& on, const effect_view& effect, std::uint32_t width, std::uint32_t height,
            const runner_options& options = {})
         : device_(on), effect_(effect), width_(width), height_(height), guard_(options.guard),
-          parameters_(on, sizeof(parameters), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, transfer::to_device,
+          parameters_(on, effect.block_size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, transfer::to_device,
                       "parameters"),
           timestamps_(on, static_cast<std::uint32_t>(effect.passes.size()) + 1),
           sampler_(detail::make_nearest_sampler(on)), own_(effect.resources.size()),
-          current_(effect.resources.size()) {
+          own_buffers_(effect.resources.size()), passes_(effect.passes.size()), geometry_(effect.passes.size()) {
         if (width == 0 || height == 0)
             throw error("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                         " texels cannot be rendered");
         on.require(effect.features);
         expect_known(options.constants);
+        bound_.images.resize(effect.resources.size());
+        bound_.buffers.resize(effect.resources.size());
+        bound_.buffers[0] = &parameters_;
         for (std::size_t i = 0; i < effect.resources.size(); ++i)
-            if (is_image(i) && effect.resources[i].life != lifetime::input)
+            if (is_buffer(i))
+                make_buffer(i);
+            else if (is_image(i) && effect.resources[i].life != lifetime::input)
                 make_image(i);
         clear_history();
         fill_constants();
@@ -82,32 +88,48 @@ public:
         set_input(i, input);
     }
 
+    /// Says what a geometry pass draws in the runs after it, and with which shaders.
+    /// @param pass       name of a geometry pass of the effect
+    /// @param triangles  must outlive the runs
+    /// @param push_constants  as many bytes as the shaders say
+    /// @throws error         where there is no such pass, the bytes are not as many, or the device lacks a limit
+    /// @throws spirv::error  where the host's shaders with the pass's functions do not compile
+    void set_geometry(std::string_view pass, const geometry_shaders& host, const mesh& triangles,
+                      std::span<const std::byte> push_constants = {}) {
+        const std::size_t i = geometry_pass_of(pass);
+        const crease::pass& of = effect_.passes[i];
+        image* attachment = of.to_attachment() ? bound_.images[of.bindings.back().resource] : nullptr;
+        geometry_[i] = std::make_unique<detail::prepared_geometry>(device_, of, effect_.resources, attachment,
+                                                                   size_of(of.size), host);
+        geometry_[i]->set(triangles, push_constants);
+        descriptors_are_old_ = true;
+        device_.check_messages();
+    }
+
     /// Runs all passes once and waits for them.
     /// @return the time of each pass, in order
-    /// @throws error  where an input was neither uploaded nor bound, or nothing was drawn for a capture
+    /// @throws error  where an input was neither uploaded nor bound, or a geometry pass draws nothing
     std::vector<pass_time> run(const parameters& values) {
-        for (std::size_t i = 0; i < current_.size(); ++i)
-            if (is_image(i) && !current_[i])
-                throw error("the input " + quoted(i) + " was neither uploaded nor bound");
-        for (const capture& each : effect_.captures)
-            if (!current_[each.bindings.back().resource]->is_used())
-                throw error("nothing was drawn for the capture '" + std::string(each.name) + "'");
+        expect_ready();
         if (descriptors_are_old_)
-            for (const detail::prepared_pass& each : passes_)
-                each.write_descriptors(current_, parameters_, sampler_);
-        descriptors_are_old_ = false;
-        std::memcpy(parameters_.bytes().data(), &values, sizeof values);
+            write_descriptors();
+        write_block(values, effect_.views, effect_.settings.size(), parameters_.bytes().data());
         device_.submit([this](VkCommandBuffer commands) {
             timestamps_.begin(commands);
-            for (const detail::prepared_pass& each : passes_) {
-                each.record(commands, current_);
+            clear(commands, [](const resource& r) { return r.cleared; });
+            for (std::size_t i = 0; i < passes_.size(); ++i) {
+                if (passes_[i])
+                    passes_[i]->record(commands, bound_);
+                else
+                    geometry_[i]->record(commands, bound_);
                 timestamps_.mark(commands);
             }
         });
         const std::vector<double> milliseconds = timestamps_.intervals(device_);
         std::vector<pass_time> times;
         for (std::size_t i = 0; i < passes_.size(); ++i)
-            times.push_back({passes_[i].name(), milliseconds[i]});
+            times.push_back({std::string(effect_.passes[i].name), milliseconds[i]});
+        swap_histories();
         return times;
     }
 
@@ -131,12 +153,23 @@ public:
         return vulkan::download_uint(device_, image_of(name));
     }
 
+    /// The bytes of a buffer, e.g. of a report.
+    /// @throws error  where there is none of that name
+    std::vector<std::byte> download_buffer(std::string_view name) {
+        for (std::size_t i = 0; i < own_buffers_.size(); ++i)
+            if (own_buffers_[i] && effect_.resources[i].name == name) {
+                const std::span<std::byte> bytes = own_buffers_[i]->bytes();
+                return {bytes.begin(), bytes.end()};
+            }
+        throw error("there is no buffer named '" + std::string(name) + "'");
+    }
+
     /// The image of a resource, e.g. to bind it to another runner.
     /// @throws error  where there is none of that name, or it is an input not given yet
     image& image_of(std::string_view name) {
-        for (std::size_t i = 0; i < current_.size(); ++i)
-            if (current_[i] && effect_.resources[i].name == name)
-                return *current_[i];
+        for (std::size_t i = 0; i < bound_.images.size(); ++i)
+            if (bound_.images[i] && effect_.resources[i].name == name)
+                return *bound_.images[i];
         throw error("there is no image named '" + std::string(name) + "'");
     }
 
@@ -148,11 +181,14 @@ private:
     detail::timestamps timestamps_;
     detail::owned_sampler sampler_;
     std::vector<std::unique_ptr<image>> own_; ///< by resource; null where it has none
-    std::vector<image*> current_;             ///< by resource: its own, or that bound to it
-    std::vector<detail::prepared_pass> passes_;
+    std::vector<std::unique_ptr<buffer>> own_buffers_;
+    detail::bound_resources bound_; ///< its own, or what is bound to it
+    std::vector<std::unique_ptr<detail::prepared_pass>> passes_; ///< null for a geometry pass
+    std::vector<std::unique_ptr<detail::prepared_geometry>> geometry_;
     bool descriptors_are_old_ = true;
 
-    bool is_image(std::size_t i) const { return effect_.resources[i].texels != format::none; }
+    bool is_image(std::size_t i) const { return effect_.resources[i].kind == resource_kind::image; }
+    bool is_buffer(std::size_t i) const { return effect_.resources[i].kind == resource_kind::buffer; }
     std::string quoted(std::size_t i) const { return "'" + std::string(effect_.resources[i].name) + "'"; }
 
     VkExtent2D size_of(const extent& size) const {
@@ -171,16 +207,12 @@ private:
             multisampled ? 0u : VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
         if (effect_.resources[i].life == lifetime::output) // another runner may bind it
             usage |= VK_IMAGE_USAGE_SAMPLED_BIT;
-        for (const capture& each : effect_.captures)
-            for (const binding& b : each.bindings)
-                if (b.resource == i)
-                    usage |= b.how == access::attachment
-                                 ? VkImageUsageFlags{VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT}
-                                 : usage_of(b.how);
         for (const pass& each : effect_.passes)
             for (const binding& b : each.bindings)
                 if (b.resource == i)
-                    usage |= usage_of(b.how);
+                    usage |= each.stage == stage_kind::geometry && b.how == access::attachment
+                                 ? VkImageUsageFlags{VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT}
+                                 : usage_of(b.how);
         return usage;
     }
 
@@ -195,32 +227,108 @@ private:
                                                                      .arrayed = r.arrayed,
                                                                      .centred = r.centred,
                                                                      .usage = usage_of(i)});
-        current_[i] = own_[i].get();
+        bound_.images[i] = own_[i].get();
         return *own_[i];
     }
 
-    /// What the first frame reads of the frame before it is 0.
+    void make_buffer(std::size_t i) {
+        const resource& r = effect_.resources[i];
+        const VkExtent2D texels = size_of(r.size);
+        const std::size_t bytes =
+            std::size_t{texels.width} * texels.height * r.layers * detail::bytes_of_element(r.element);
+        constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+        if (bytes == 0 || bytes > device_.limits().maxStorageBufferRange)
+            throw error("the device '" + device_.name() + "' cannot bind the buffer " + quoted(i) + " of " +
+                        std::to_string(bytes) + " bytes");
+        own_buffers_[i] =
+            std::make_unique<buffer>(device_, bytes, usage, transfer::from_device, std::string(r.name));
+        bound_.buffers[i] = own_buffers_[i].get();
+    }
+
+    /// Clears what is chosen, a history or what each frame begins with; multisampled images are cleared where they are
+    /// drawn to.
+    template <class Chosen>
+    void clear(VkCommandBuffer commands, Chosen chosen) {
+        for (std::size_t i = 0; i < effect_.resources.size(); ++i) {
+            const resource& r = effect_.resources[i];
+            if (!chosen(r))
+                continue;
+            if (is_buffer(i))
+                vkCmdFillBuffer(commands, own_buffers_[i]->handle(), 0, VK_WHOLE_SIZE, r.clear);
+            if (!is_image(i) || r.samples > 1)
+                continue;
+            VkClearColorValue value;
+            for (std::uint32_t& component : value.uint32)
+                component = r.clear;
+            const VkImageSubresourceRange range = bound_.images[i]->range();
+            bound_.images[i]->transition(commands, copied_to);
+            vkCmdClearColorImage(commands, bound_.images[i]->handle(), copied_to.layout, &value, 1, &range);
+        }
+    }
+
+    /// What the first frame reads of the frame before it.
     void clear_history() {
         device_.submit([this](VkCommandBuffer commands) {
-            for (std::size_t i = 0; i < current_.size(); ++i)
-                if (current_[i] && effect_.resources[i].life == lifetime::history) {
-                    constexpr VkClearColorValue zero{};
-                    const VkImageSubresourceRange range = current_[i]->range();
-                    current_[i]->transition(commands, copied_to);
-                    vkCmdClearColorImage(commands, current_[i]->handle(), copied_to.layout, &zero, 1, &range);
-                }
+            clear(commands, [](const resource& r) { return r.life == lifetime::history; });
         });
     }
 
+    /// What this frame wrote is what the next reads of the frame before it.
+    void swap_histories() {
+        for (std::size_t i = 0; i < effect_.resources.size(); ++i) {
+            const std::string_view of = effect_.resources[i].previous_of;
+            for (std::size_t j = 0; !of.empty() && j < effect_.resources.size(); ++j)
+                if (effect_.resources[j].name == of) {
+                    std::swap(own_[i], own_[j]);
+                    std::swap(bound_.images[i], bound_.images[j]);
+                    std::swap(own_buffers_[i], own_buffers_[j]);
+                    std::swap(bound_.buffers[i], bound_.buffers[j]);
+                    descriptors_are_old_ = true;
+                }
+        }
+    }
+
     void fill_constants() {
-        for (std::size_t i = 0; i < current_.size(); ++i) {
+        for (std::size_t i = 0; i < effect_.resources.size(); ++i) {
             const resource& r = effect_.resources[i];
-            if (!current_[i] || r.life != lifetime::constant)
+            if (!is_image(i) || r.life != lifetime::constant)
                 continue;
             std::vector<std::uint32_t> texels(std::size_t{r.size.fixed_width} * r.size.fixed_height);
-            r.fill(texels, r.count);
-            vulkan::upload(device_, *current_[i], texels);
+            r.fill(texels);
+            vulkan::upload(device_, *bound_.images[i], texels);
         }
+    }
+
+    void write_descriptors() {
+        for (std::size_t i = 0; i < passes_.size(); ++i)
+            if (passes_[i])
+                passes_[i]->write_descriptors(bound_, sampler_);
+            else
+                geometry_[i]->write_descriptors(bound_, sampler_);
+        descriptors_are_old_ = false;
+    }
+
+    void expect_ready() const {
+        for (std::size_t i = 0; i < effect_.resources.size(); ++i)
+            if (is_image(i) && !bound_.images[i])
+                throw error("the input " + quoted(i) + " was neither uploaded nor bound");
+        for (std::size_t i = 0; i < passes_.size(); ++i)
+            if (!passes_[i] && !geometry_[i])
+                throw error("nothing is drawn in the geometry pass '" + std::string(effect_.passes[i].name) +
+                            "'; set_geometry says what is");
+    }
+
+    std::size_t geometry_pass_of(std::string_view name) const {
+        std::string names;
+        for (std::size_t i = 0; i < effect_.passes.size(); ++i) {
+            if (effect_.passes[i].stage != stage_kind::geometry)
+                continue;
+            if (effect_.passes[i].name == name)
+                return i;
+            names += (names.empty() ? "'" : ", '") + std::string(effect_.passes[i].name) + "'";
+        }
+        throw error("there is no geometry pass named '" + std::string(name) + "'; there is " +
+                    (names.empty() ? "none" : names));
     }
 
     void expect_known(const std::map<std::string, int>& wanted) const {
@@ -238,19 +346,21 @@ private:
     static std::string key_of(const constant& c) { return std::string(c.part) + "." + std::string(c.number); }
 
     void prepare(const runner_options& options) {
-        const std::vector<pass_shaders> shaders =
-            options.shaders.empty() ? compile(effect_) : options.shaders;
-        if (shaders.size() != effect_.passes.size())
+        if (!options.shaders.empty() && options.shaders.size() != effect_.passes.size())
             throw error("the effect has " + std::to_string(effect_.passes.size()) +
-                        " passes, but shaders for " + std::to_string(shaders.size()) + " were given");
-        for (std::size_t i = 0; i < shaders.size(); ++i) {
+                        " passes, but shaders for " + std::to_string(options.shaders.size()) + " were given");
+        for (std::size_t i = 0; i < effect_.passes.size(); ++i) {
             const pass& each = effect_.passes[i];
+            if (each.stage == stage_kind::geometry)
+                continue;
             std::vector<std::int32_t> values;
             for (const constant& c : each.constants) {
                 const auto other = options.constants.find(key_of(c));
                 values.push_back(other == options.constants.end() ? c.value : other->second);
             }
-            passes_.emplace_back(device_, each, shaders[i], values, outputs_of(each), size_of(each.size));
+            passes_[i] = std::make_unique<detail::prepared_pass>(
+                device_, each, effect_.resources, options.shaders.empty() ? compile(each) : options.shaders[i],
+                values, outputs_of(each), size_of(each.size));
         }
     }
 
@@ -271,7 +381,11 @@ private:
                  (runs.width != has.width || runs.height != has.height)))
                 throw error("pass '" + std::string(each.name) + "' runs at another size than that of " +
                             quoted(written.resource) + ", which it writes");
-            outputs.push_back(current_[written.resource]);
+            if (each.stage == stage_kind::fragment &&
+                effect_.resources[written.resource].life == lifetime::history)
+                throw error("pass '" + std::string(each.name) + "' draws to " + quoted(written.resource) +
+                            ", a history, which only a compute pass may write");
+            outputs.push_back(bound_.images[written.resource]);
         }
         return outputs;
     }
@@ -298,7 +412,7 @@ private:
     }
 
     void set_input(std::size_t i, image& input) {
-        current_[i] = &input;
+        bound_.images[i] = &input;
         descriptors_are_old_ = true;
     }
 

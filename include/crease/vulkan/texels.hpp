@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/resource.hpp>
+#include <crease/effect/resource.hpp>
 #include <crease/vulkan/error.hpp>
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include <cstring>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace crease::vulkan::detail {
@@ -47,6 +48,14 @@ constexpr texel_type texel_of(format f) {
     default:
         return {};
     }
+}
+
+/// Of the elements of a buffer, by their GLSL type; 0 of one that crease does not know.
+constexpr std::size_t bytes_of_element(std::string_view glsl) {
+    return glsl == "uint" || glsl == "int" || glsl == "float" ? 4
+           : glsl == "uvec2" || glsl == "ivec2" || glsl == "vec2" ? 8
+           : glsl == "uvec4" || glsl == "ivec4" || glsl == "vec4" ? 16
+                                                                  : 0;
 }
 
 /// To the nearest half, ties to even; too large becomes infinite.

@@ -1,17 +1,34 @@
-#ifdef __cplusplus
-R"glsl("
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
+vec3 crease_to_eye(vec3 position);
+void crease_axes(vec3 to_eye, out vec3 tangent, out vec3 bitangent);
+mat2 crease_disk(vec3 position, vec3 tangent, vec3 bitangent);
+#else
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // The point whose visibility is asked for.
 struct crease_receiver {
-    ivec2 pixel;   // of the pass's output
-    vec2 texel;    // texel space of the depth image
-    vec3 position; // view space
-    vec3 normal;   // view space, unit
-    vec3 to_eye;   // view space, unit
-    vec3 across, up; // view space, unit: the axes of the disk that faces the eye
-    mat2 disk;       // offsets on that disk, in units of the AO radius, to texels
+    ivec2 pixel;             // of the pass's output
+    vec2 texel;              // texel space of the depth image
+    vec3 position;           // view space
+    vec3 normal;             // view space, unit
+    vec3 to_eye;             // view space, unit
+    vec3 tangent, bitangent; // view space, unit: the axes of the disk that faces the eye
+    mat2 disk;               // offsets on that disk, in units of the AO radius, to texels
 };
+
+crease_receiver crease_make_receiver(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
+    crease_receiver receiver;
+    receiver.pixel = pixel;
+    receiver.texel = texel;
+    receiver.position = position;
+    receiver.normal = normal;
+    receiver.to_eye = crease_to_eye(position);
+    crease_axes(receiver.to_eye, receiver.tangent, receiver.bitangent);
+    receiver.disk = crease_disk(position, receiver.tangent, receiver.bitangent);
+    return receiver;
+}
 #ifdef __cplusplus
 ")glsl"
 #endif

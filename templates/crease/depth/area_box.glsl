@@ -1,12 +1,13 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
-// The texels of the tables whose centres are in an area of the picture: a read between texels takes four times as many
-// places.
-
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 ivec2 crease_areas_size();
 int crease_areas_divisor();
+#else
+__LINE__, R"glsl("
+#endif
+
+// The texels of the tables whose centres are in an area of the picture: a read between texels takes four times as many
+// places.
 
 // From edges in the depth image to those in the tables, within them: both have a band of as many texels.
 vec4 crease_areas_edges(vec4 area) {

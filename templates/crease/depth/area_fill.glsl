@@ -1,10 +1,11 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
-// The texels that the levels above them are made of.
-
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 vec4 crease_area_texel(ivec2 at);
+#else
+__LINE__, R"glsl("
+#endif
+
+// The texels that the levels above them are made of.
 
 void crease_build(ivec2 texel) { imageStore(crease_area_tables, ivec3(texel, 0), crease_area_texel(texel)); }
 #ifdef __cplusplus

@@ -1,10 +1,11 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
-// Sums over areas out of four places of a summed-area table: statistical-volumetric-obscurance 3.4.
-
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 vec4 crease_areas_at(ivec3 texel);
+#else
+__LINE__, R"glsl("
+#endif
+
+// Sums over areas out of four places of a summed-area table: statistical-volumetric-obscurance 3.4.
 
 // The sum of all texels to the left of and above a corner.
 vec4 crease_areas_before(int x, int y, int table) {

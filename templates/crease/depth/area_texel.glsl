@@ -1,15 +1,16 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
-// What a texel of a table stands for: the sum of what the estimator takes means of, over the picture's texels in it that
-// count, and their number: statistical-volumetric-obscurance 4.5 and 4.6.1.
-
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 float crease_depth_at(vec2 texel);
 vec3 crease_view_position(vec2 texel, float depth);
 float crease_range_mean();
 float crease_area_depth(float depth);
 vec3 crease_area_value(vec3 position, float centre);
+#else
+__LINE__, R"glsl("
+#endif
+
+// What a texel of a table stands for: the sum of what the estimator takes means of, over the picture's texels in it that
+// count, and their number: statistical-volumetric-obscurance 4.5 and 4.6.1.
 
 // The first texel of the depth image that a texel of a table stands for.
 vec2 crease_area_corner(ivec2 at) {

@@ -1,12 +1,13 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
-// A level of a mip chain holds the sums over squares of four texels of the level before, in a corner of its image:
-// statistical-volumetric-obscurance 3.3, figure 3.2.
-
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 vec4 crease_areas_at(ivec3 texel);
 ivec2 crease_areas_size();
+#else
+__LINE__, R"glsl("
+#endif
+
+// A level of a mip chain holds the sums over squares of four texels of the level before, in a corner of its image:
+// statistical-volumetric-obscurance 3.3, figure 3.2.
 
 void crease_build(ivec2 texel) {
     const int before = crease_areas_level - 1;

@@ -1,12 +1,13 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
-// A level of an N-buffer holds the sums over squares, twice as wide as those of the level before, that begin at each
-// texel: statistical-volumetric-obscurance 3.3, figure 3.2.
-
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 vec4 crease_areas_at(ivec3 texel);
 ivec2 crease_areas_size();
+#else
+__LINE__, R"glsl("
+#endif
+
+// A level of an N-buffer holds the sums over squares, twice as wide as those of the level before, that begin at each
+// texel: statistical-volumetric-obscurance 3.3, figure 3.2.
 
 void crease_build(ivec2 texel) {
     const int before = crease_areas_level - 1;

@@ -1,14 +1,15 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
-// Gathers the samples of a texel: many of them hold the same fragment, and as the most occluding counts, once is
-// enough. So a tap looks at as many layers as there are, and not at as many as there are samples.
-
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 float crease_depth_at(vec2 texel);
 int crease_group_count();
 float crease_captured_depth(ivec2 texel, int sample_index);
-bool crease_is_packed(float depth, float front);
+bool crease_keeps_layer(float depth, float front);
+#else
+__LINE__, R"glsl("
+#endif
+
+// Gathers the samples of a texel: many of them hold the same fragment, and as the most occluding counts, once is
+// enough. So a tap looks at as many layers as there are, and not at as many as there are samples.
 
 void crease_build(ivec2 texel) {
     vec4 groups[(crease_stochastic_layers_count + 3) / 4];
@@ -19,7 +20,7 @@ void crease_build(ivec2 texel) {
     int packed_count = 0;
     crease_unroll for (int i = 0; i < crease_stochastic_layers_count; ++i) {
         float depth = crease_captured_depth(texel, i);
-        bool there = depth > 0.0 && depth < crease_background && crease_is_packed(depth, front);
+        bool there = depth > 0.0 && depth < crease_background && crease_keeps_layer(depth, front);
         crease_unroll for (int group = 0; group < crease_group_count(); ++group)
             there = there && all(notEqual(groups[group], vec4(depth)));
         int place = there ? packed_count : -1;

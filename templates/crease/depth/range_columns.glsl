@@ -1,14 +1,15 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
-// The range of depth of each column of the picture.
-
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 float crease_depth_at(vec2 texel);
 float crease_area_depth(float depth);
 vec4 crease_range_empty();
 vec4 crease_range_join(vec4 a, vec4 b);
 vec4 crease_range_join_all(vec4 own, int along, int count, int stride);
+#else
+__LINE__, R"glsl("
+#endif
+
+// The range of depth of each column of the picture.
 
 void crease_build_line(int line) {
     int along = int(gl_LocalInvocationID.y), count = int(gl_WorkGroupSize.y);

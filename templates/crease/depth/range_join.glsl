@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT-0
 #ifdef __cplusplus
-R"glsl("
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // Ranges of depth: nearest, farthest, sum and count.
 shared vec4 crease_range_ranges[gl_WorkGroupSize.x * gl_WorkGroupSize.y];
 

@@ -1,16 +1,16 @@
-#ifdef __cplusplus
-R"glsl("
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
+vec4 crease_scan_read(ivec3 at);
+vec4 crease_scan_reread(ivec3 at);
+vec4 crease_scan_before(vec4 own, int along, int pieces, int stride);
+#else
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // Turns the lines of some tables into their prefix sums, in place; rows and then columns make a summed-area table:
 // statistical-volumetric-obscurance 3.4 and A.1. A line of any length is cut into as many pieces as there are
 // invocations for it: each sums its piece, a scan of these sums gives what stands before it, and then each writes its
 // piece. The number of pieces is a power of 2.
-
-vec4 crease_scan_read(ivec3 at);
-vec4 crease_scan_reread(ivec3 at);
-
-vec4 crease_scan_before(vec4 own, int along, int pieces, int stride);
 
 // Adds with what rounding has taken from the sum so far, so that a long piece is as exact as a short one.
 void crease_scan_add(inout vec4 sum, inout vec4 lost, vec4 more) {

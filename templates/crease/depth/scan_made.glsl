@@ -1,10 +1,12 @@
-#ifdef __cplusplus
-R"glsl("
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
+vec4 crease_area_texel(ivec2 at);
+#else
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // A scan that makes the texels of the table of the whole picture as it reads them: twice, which is less than a pass that
 // stores them takes.
-vec4 crease_area_texel(ivec2 at);
 
 vec4 crease_scan_read(ivec3 at) { return crease_area_texel(at.xy); }
 

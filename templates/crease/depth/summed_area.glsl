@@ -1,23 +1,27 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
-// One layer: all that the picture shows.
-
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 ivec4 crease_areas_box(vec4 area);
 vec4 crease_areas_over(ivec4 box, int table);
+vec3 crease_area_mean(vec4 sum);
+#else
+__LINE__, R"glsl("
+#endif
+
+// One layer: all that the picture shows.
 
 int crease_areas_divisor() { return crease_summed_area_divisor; }
 
-struct crease_areas {
+const int crease_most_layers = 1;
+
+struct crease_layers {
     vec4 sum;
 };
 
-crease_areas crease_fetch_areas(vec4 area) { return crease_areas(crease_areas_over(crease_areas_box(area), 0)); }
+crease_layers crease_fetch_area(vec4 area) { return crease_layers(crease_areas_over(crease_areas_box(area), 0)); }
 
-int crease_area_count() { return 1; }
-
-vec4 crease_area_sum(crease_areas areas, int layer) { return areas.sum; }
+crease_layer crease_layer_at(crease_layers layers, int i) {
+    return crease_layer(crease_area_mean(layers.sum), layers.sum.y);
+}
 #ifdef __cplusplus
 ")glsl"
 #endif

@@ -1,15 +1,8 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
-// Splits each layer of one level by its mean over the sample area around each texel, and stores the nearer part:
-// statistical-volumetric-obscurance 4.4, Algorithm 2, lines 4, 8 and 9. The tables of the level begin with
-// `crease_summed_area_adaptive_split`. The splits of the levels before are made once more, as they read the same
-// places. Each texel of the picture goes its own way, those in one texel of smaller tables too.
-
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 vec3 crease_to_eye(vec3 position);
-void crease_axes(vec3 to_eye, out vec3 across, out vec3 up);
-mat2 crease_disk(vec3 position, vec3 across, vec3 up);
+void crease_axes(vec3 to_eye, out vec3 tangent, out vec3 bitangent);
+mat2 crease_disk(vec3 position, vec3 tangent, vec3 bitangent);
 vec3 crease_area_mean(vec4 sum);
 vec4 crease_sample_area(vec2 texel, mat2 disk);
 ivec4 crease_areas_box(vec4 area);
@@ -17,6 +10,14 @@ vec4 crease_areas_over(ivec4 box, int table);
 vec2 crease_area_corner(ivec2 at);
 vec4 crease_area_part(ivec2 at, int i, int j);
 vec4 crease_area_texel(ivec2 at);
+#else
+__LINE__, R"glsl("
+#endif
+
+// Splits each layer of one level by its mean over the sample area around each texel, and stores the nearer part:
+// statistical-volumetric-obscurance 4.4, Algorithm 2, lines 4, 8 and 9. The tables of the level begin with
+// `crease_summed_area_adaptive_split`. The splits of the levels before are made once more, as they read the same
+// places. Each texel of the picture goes its own way, those in one texel of smaller tables too.
 
 int crease_areas_divisor() { return crease_divisor; }
 
@@ -51,10 +52,10 @@ void crease_build(ivec2 texel) {
         nearer[i] = vec4(0.0);
     if (own.y > 0.0) {
         vec3 position = crease_area_mean(own);
-        vec3 across, up;
-        crease_axes(crease_to_eye(position), across, up);
+        vec3 tangent, bitangent;
+        crease_axes(crease_to_eye(position), tangent, bitangent);
         vec2 middle = crease_area_corner(texel) + 0.5 * float(crease_divisor - 1);
-        ivec4 box = crease_areas_box(crease_sample_area(middle, crease_disk(position, across, up)));
+        ivec4 box = crease_areas_box(crease_sample_area(middle, crease_disk(position, tangent, bitangent)));
         crease_summed_area_adaptive_means means = crease_summed_area_adaptive_around(box);
         // By a margin, so that rounding does not scatter a surface that faces the eye over both; z points to the eye.
         float margin = 0.01 * crease_radius;

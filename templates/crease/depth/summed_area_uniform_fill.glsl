@@ -1,15 +1,16 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
-// Each texel in the table of its layer, and nothing in the others: statistical-volumetric-obscurance 4.3. Layers are as
-// thick as each other in what the estimator takes means of.
-
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 float crease_range_nearest();
 float crease_range_farthest();
 float crease_range_mean();
 vec3 crease_area_value(vec3 position, float centre);
 vec4 crease_area_texel(ivec2 at);
+#else
+__LINE__, R"glsl("
+#endif
+
+// Each texel in the table of its layer, and nothing in the others: statistical-volumetric-obscurance 4.3. Layers are as
+// thick as each other in what the estimator takes means of.
 
 float crease_summed_area_uniform_value(float depth) {
     return crease_area_value(vec3(0.0, 0.0, -depth), crease_range_mean()).x;

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT-0
 #ifdef __cplusplus
-R"glsl("
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // A direction of any length as a point of the octahedron, each way in [-1, 1]; nil as that to the eye.
 vec2 crease_octahedron(vec3 direction) {
     vec3 way = abs(direction);

@@ -1,20 +1,21 @@
-#ifdef __cplusplus
-R"glsl("
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
+vec2 crease_octahedron(vec3 direction);
+#else
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // Visibility and depth in one word, as without a cone; in the other the bent normal as a point of the octahedron, in 12
 // bits each way, and the cone's angle in 8.
 
-vec2 crease_octahedron(vec3 direction);
-
-uvec4 crease_encode_visibility_depth_cone(crease_result result) {
+uvec4 crease_encode_between(crease_result result) {
     uvec2 point = uvec2(crease_octahedron(result.bent) * 2047.0 + 2048.0);
     uint word = (floatBitsToUint(result.depth) & ~255u) | uint(result.visibility * 255.0 + 0.5);
     uint cone = uint(clamp(result.cone * (255.0 / 1.57079633), 0.0, 255.0) + 0.5);
     return uvec4(word, point.x | point.y << 12u | cone << 24u, 0u, 0u);
 }
 
-crease_result crease_decode_visibility_depth_cone(uvec4 texel) {
+crease_result crease_decode(uvec4 texel) {
     vec2 point = (vec2(texel.y & 4095u, texel.y >> 12u & 4095u) - 2047.5) / 2047.0;
     vec3 bent = vec3(point, 1.0 - abs(point.x) - abs(point.y));
     float outside = max(-bent.z, 0.0);

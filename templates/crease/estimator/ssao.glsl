@@ -1,51 +1,93 @@
-#ifdef __cplusplus
-R"glsl("
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
+float crease_depth_rounding(float depth);
+float crease_point_bias(crease_receiver receiver, float bias);
+#else
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // Range-checked points: stochastic-depth-ao, Algorithm 1. Geometry further than the radius is ignored, as 4.1 says; the
 // listing's smoothstep of R / |p.z - d| would leave half of it there at two radii. What hides a point from the eye and is
 // out of range says nothing of it.
-
-float crease_depth_rounding(float depth);
-float crease_point_bias(crease_receiver receiver);
-
 struct crease_estimate {
     float occluded; // points
     float points;
+};
+
+struct crease_march {
+    float occluded;
+    float points;
+    vec3 open;      // directions of the points, weighed by how open they are
+    float openness; // sum of these weights
     float rounding; // of depth
 };
 
 struct crease_contribution {
     float occlusion;
     float points;
+    vec3 open;
+    float openness;
 };
 
-crease_estimate crease_estimate_begin(crease_receiver receiver) {
-    return crease_estimate(0.0, 0.0, crease_depth_rounding(-receiver.position.z));
+crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_estimate(0.0, 0.0); }
+
+crease_march crease_begin_direction(crease_estimate estimate, crease_receiver receiver, vec2 direction) {
+    return crease_march(0.0, 0.0, vec3(0.0), 0.0, crease_depth_rounding(-receiver.position.z));
 }
 
-void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
-
-// A point close to the tangent plane says nothing.
-bool crease_ssao_over(crease_receiver receiver, crease_tap tap) {
-    return dot(tap.offset, receiver.normal) > crease_point_bias(receiver);
+// How open the direction to a point is goes into the bent normal: stochastic-depth-ao 7.1, Algorithm 10.
+crease_contribution crease_ssao_contribution(crease_tap tap, float occlusion, float points, float openness) {
+    vec3 open = tap.offset * (openness * inversesqrt(max(dot(tap.offset, tap.offset), 1e-30)));
+    return crease_contribution(occlusion, points, open, openness);
 }
 
-crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
-    if (!tap.inside || !crease_ssao_over(receiver, tap))
-        return crease_contribution(0.0, 0.0);
-    float before = position.z - receiver.position.z;
+crease_contribution crease_weigh(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer layer) {
+    // A point close to the tangent plane says nothing. One beside the picture counts as open for the bent normal, as
+    // leaving it out would turn the cone to the picture's middle.
+    if (dot(tap.offset, receiver.normal) <= crease_point_bias(receiver, crease_ssao_bias))
+        return crease_ssao_contribution(tap, 0.0, 0.0, 0.0);
+    if (!tap.inside)
+        return crease_ssao_contribution(tap, 0.0, 0.0, 1.0);
+    float before = layer.position.z - receiver.position.z;
     // Of layers that occlude nothing, one that leaves the point open counts before one that says nothing, and either before
     // none at all.
-    if (before - estimate.rounding < tap.offset.z)
-        return crease_contribution(position.z > -0.5 * crease_background ? 0.0 : -2e-6, 1.0);
+    if (before - march.rounding < tap.offset.z) {
+        float nothing = layer.position.z > -0.5 * crease_background ? 0.0 : -2e-6;
+        return crease_ssao_contribution(tap, nothing, 1.0, 1.0 - nothing);
+    }
     float in_range = smoothstep(0.0, 1.0, 2.0 * (1.0 - before / crease_radius));
-    return crease_contribution(in_range > 0.0 ? in_range : -1e-6, in_range);
+    float occlusion = in_range > 0.0 ? in_range : -1e-6;
+    return crease_ssao_contribution(tap, occlusion, in_range, in_range - occlusion);
 }
 
-void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {
-    estimate.occluded += contribution.occlusion;
-    estimate.points += contribution.points;
+// Where the front one is behind the point, all others are.
+bool crease_skip_behind(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer front) {
+    return front.position.z - receiver.position.z - march.rounding < tap.offset.z;
+}
+
+void crease_add(inout crease_march march, crease_contribution contribution) {
+    march.occluded += contribution.occlusion;
+    march.points += contribution.points;
+    march.open += contribution.open;
+    march.openness += contribution.openness;
+}
+
+void crease_end_direction(inout crease_estimate estimate, crease_march march) {
+    estimate.occluded += march.occluded;
+    estimate.points += march.points;
+}
+
+crease_open crease_open_direction(crease_march march, crease_receiver receiver, vec2 direction) {
+    return crease_open(march.open, march.openness, 0.0);
+}
+
+// The normal where no point is open.
+vec3 crease_open_mean(crease_open open, crease_receiver receiver) { return open.sum + receiver.normal * 1e-6; }
+
+// The cone that the mean's length stands for.
+float crease_open_cone(crease_open open) {
+    float mean_length = length(open.sum) / max(open.weight, 1e-6);
+    return 1.57079633 * (1.0 - max(2.0 * mean_length - 1.0, 0.0));
 }
 
 float crease_estimate_occlusion(crease_estimate estimate) { return estimate.occluded / max(estimate.points, 1.0); }

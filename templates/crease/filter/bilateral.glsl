@@ -1,13 +1,14 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
-// One direction of a separable cross-bilateral blur with a depth-slope correction: stochastic-depth-ao 8.1.
-
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 crease_result crease_decode(uvec4 texel);
 crease_result crease_weighted(crease_result result, float weight);
 crease_result crease_sum(crease_result a, crease_result b);
 crease_result crease_mean(crease_result sum, float weights, float depth);
+#else
+__LINE__, R"glsl("
+#endif
+
+// One direction of a separable cross-bilateral blur with a depth-slope correction: stochastic-depth-ao 8.1.
 
 // The slope of one side, or where that looks like an edge, the other side's carried on.
 float crease_bilateral_slope(float own, float other, float tightness) {
@@ -20,12 +21,12 @@ crease_result crease_evaluate(ivec2 pixel) {
     ivec2 last = crease_size(crease_divisor) - 1;
     // All are fetched before any is weighed, so that the waits overlap.
     uvec4 texels_before[crease_bilateral_radius], texels_after[crease_bilateral_radius];
-    crease_result own = crease_decode(imageLoad(crease_input, pixel));
+    crease_result own = crease_decode(crease_load_input(pixel));
     for (int i = 0; i < crease_bilateral_radius; ++i) {
-        texels_before[i] = imageLoad(crease_input, max(pixel - step * (i + 1), ivec2(0)));
-        texels_after[i] = imageLoad(crease_input, min(pixel + step * (i + 1), last));
+        texels_before[i] = crease_load_input(max(pixel - step * (i + 1), ivec2(0)));
+        texels_after[i] = crease_load_input(min(pixel + step * (i + 1), last));
     }
-    float tightness = crease_sharpness / max(crease_radius, 1e-20);
+    float tightness = crease_bilateral_sharpness / max(crease_radius, 1e-20);
     float rise_before = crease_decode(texels_before[0]).depth - own.depth;
     float rise_after = crease_decode(texels_after[0]).depth - own.depth;
     float slope_before = crease_bilateral_slope(rise_before, rise_after, tightness);

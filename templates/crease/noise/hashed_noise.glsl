@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT-0
 #ifdef __cplusplus
-R"glsl("
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // Two numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
 
 uvec3 crease_hashed_noise_mix(uvec3 v) {

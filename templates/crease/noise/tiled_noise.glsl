@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT-0
 #ifdef __cplusplus
-R"glsl("
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // Numbers that repeat from tile to tile of pixels: statistical-volumetric-obscurance 2.2. Those of a tile, and of the
 // next frame's after it, step by the golden ratio and by the root of 2, and so divide [0, 1) evenly however many.
 

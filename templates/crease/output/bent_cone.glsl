@@ -1,49 +1,69 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
-// Visibility, and the cone of open directions: stochastic-depth-ao 7.1.
-
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
+crease_estimate crease_estimate_begin(crease_receiver receiver);
+void crease_end_direction(inout crease_estimate estimate, crease_march march);
 float crease_visibility_of(float occlusion);
-void crease_bend_tap(inout crease_bend bend, crease_receiver receiver, crease_tap tap,
-                     crease_contribution contribution);
-void crease_bend_turn(inout crease_bend bend, crease_receiver receiver, crease_estimate estimate, vec2 direction);
-vec3 crease_bend_direction(crease_bend bend, crease_receiver receiver);
-float crease_bend_cone(crease_bend bend);
+float crease_estimate_occlusion(crease_estimate estimate);
+#else
+__LINE__, R"glsl("
+#endif
 
-struct crease_gathered {
-    float occlusion;
-    crease_bend bend;
-    vec3 bent; // view space: the mean open direction, of any length
+// What a pass computes for a pixel: visibility, and the cone of open directions: stochastic-depth-ao 7.1.
+struct crease_result {
+    float visibility; // 1 open, 0 closed
+    float depth;      // positive, linear; crease_background where there is none
+    vec3 bent;        // view space: the mean open direction, of any length; to the eye where there is background
+    float cone;       // half angle of the bent cone, radians
 };
 
-crease_gathered crease_gathered_begin() {
-    return crease_gathered(0.0, crease_bend(vec3(0.0), 0.0, 0.0, 0.0), vec3(0.0));
+// What estimators know of open directions.
+struct crease_open {
+    vec3 sum;     // as the estimator defines it
+    float weight; // of what is in the sum
+    float turned; // sum of the angles by which the directions turn the normal, radians
+};
+
+struct crease_gathered {
+    crease_estimate estimate;
+    crease_open open;
+};
+
+crease_gathered crease_begin_gathering(crease_receiver receiver) {
+    return crease_gathered(crease_estimate_begin(receiver), crease_open(vec3(0.0), 0.0, 0.0));
 }
 
-void crease_gathered_tap(inout crease_gathered gathered, crease_receiver receiver, crease_tap tap,
-                         crease_contribution contribution) {
-    crease_bend_tap(gathered.bend, receiver, tap, contribution);
+void crease_close_direction(inout crease_gathered gathered, crease_march march, crease_receiver receiver,
+                            vec2 direction) {
+    crease_end_direction(gathered.estimate, march);
+    crease_open open = crease_open_direction(march, receiver, direction);
+    gathered.open.sum += open.sum;
+    gathered.open.weight += open.weight;
+    gathered.open.turned += open.turned;
 }
 
-void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiver, crease_estimate estimate,
-                          vec2 direction) {
-    crease_bend_turn(gathered.bend, receiver, estimate, direction);
-}
-
-void crease_gathered_end(inout crease_gathered gathered, crease_receiver receiver) {
-    gathered.bent = crease_bend_direction(gathered.bend, receiver);
-}
-
-// What was gathered in a camera's space, in that which `turn` leads from.
-crease_gathered crease_gathered_turned_back(crease_gathered gathered, mat3 turn) {
-    gathered.bent = gathered.bent * turn;
-    return gathered;
-}
+crease_result crease_open_result() { return crease_result(1.0, crease_background, vec3(0.0, 0.0, 1.0), 1.57079633); }
 
 crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver) {
-    return crease_result(crease_visibility_of(gathered.occlusion), -receiver.position.z, gathered.bent,
-                         crease_bend_cone(gathered.bend));
+    return crease_result(crease_visibility_of(crease_estimate_occlusion(gathered.estimate)), -receiver.position.z,
+                         crease_open_mean(gathered.open, receiver), crease_open_cone(gathered.open));
+}
+
+crease_result crease_turned_back(crease_result result, mat3 turn) {
+    result.bent = result.bent * turn;
+    return result;
+}
+
+crease_result crease_weighted(crease_result result, float weight) {
+    return crease_result(result.visibility * weight, result.depth, result.bent * weight, result.cone * weight);
+}
+
+crease_result crease_sum(crease_result a, crease_result b) {
+    return crease_result(a.visibility + b.visibility, a.depth, a.bent + b.bent, a.cone + b.cone);
+}
+
+// The mean out of a sum of weighted results and the sum of their weights.
+crease_result crease_mean(crease_result sum, float weights, float depth) {
+    return crease_result(sum.visibility / weights, depth, sum.bent, sum.cone / weights);
 }
 #ifdef __cplusplus
 ")glsl"

@@ -1,13 +1,34 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
-// The visibility of a receiver and nothing else.
-
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 float crease_visibility_of(float occlusion);
+float crease_estimate_occlusion(crease_estimate estimate);
+#else
+__LINE__, R"glsl("
+#endif
+
+// What a pass computes for a pixel.
+struct crease_result {
+    float visibility; // 1 open, 0 closed
+    float depth;      // positive, linear; crease_background where there is none
+};
+
+crease_result crease_open_result() { return crease_result(1.0, crease_background); }
 
 crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver) {
-    return crease_result(crease_visibility_of(gathered.occlusion), -receiver.position.z);
+    return crease_result(crease_visibility_of(crease_estimate_occlusion(gathered.estimate)), -receiver.position.z);
+}
+
+crease_result crease_weighted(crease_result result, float weight) {
+    return crease_result(result.visibility * weight, result.depth);
+}
+
+crease_result crease_sum(crease_result a, crease_result b) {
+    return crease_result(a.visibility + b.visibility, a.depth);
+}
+
+// The mean out of a sum of weighted results and the sum of their weights.
+crease_result crease_mean(crease_result sum, float weights, float depth) {
+    return crease_result(sum.visibility / weights, depth);
 }
 #ifdef __cplusplus
 ")glsl"

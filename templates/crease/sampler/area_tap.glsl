@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT-0
 #ifdef __cplusplus
-R"glsl("
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // A tap that takes in an area of the depth image.
 struct crease_tap {
     vec4 area;   // left, top, right and bottom edge, texels: that in the corner reaches from 0 to 1

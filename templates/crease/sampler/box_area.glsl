@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT-0
 #ifdef __cplusplus
-R"glsl("
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // The square around the receiver, as an area: the loops of unsharp-mask-ssao's listing. The listing counts both edges of
 // the picture in: a texel just past the far one reads the last, which is a tap of its own where it is asked for.
 
@@ -24,7 +25,7 @@ int crease_direction_count() { return 1 + crease_box_area_past; }
 
 int crease_step_count() { return 1 + crease_box_area_past; }
 
-vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) {
+vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver receiver, int direction) {
     pattern.rows = crease_box_area_edges(receiver.texel.y, crease_depth_size().y, direction == 1);
     return vec2(0.0);
 }

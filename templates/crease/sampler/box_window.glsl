@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT-0
 #ifdef __cplusplus
-R"glsl("
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // Each texel of a square around the receiver's: the loops of unsharp-mask-ssao's listing.
 
 struct crease_pattern {
@@ -16,7 +17,7 @@ int crease_direction_count() { return 2 * crease_box_window_half(); }
 
 int crease_step_count() { return 2 * crease_box_window_half(); }
 
-vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) {
+vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver receiver, int direction) {
     pattern.row = float(direction - crease_box_window_half());
     return vec2(0.0);
 }

@@ -1,12 +1,13 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
-// Directions that divide the circle evenly, and steps that grow by a power of their index; both start at a random offset
-// per pixel: stochastic-depth-ao, Algorithms 2 and 3.
-
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 vec2 crease_noise(ivec2 pixel);
 float crease_share_inside(vec2 from, vec2 way);
+#else
+__LINE__, R"glsl("
+#endif
+
+// Directions that divide the circle evenly, and steps that grow by a power of their index; both start at a random offset
+// per pixel: stochastic-depth-ao, Algorithms 2 and 3.
 
 struct crease_pattern {
     vec2 direction; // unit, on the disk that faces the eye
@@ -32,7 +33,7 @@ int crease_direction_count() { return crease_directions_count; }
 
 int crease_step_count() { return crease_directions_steps; }
 
-vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) {
+vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver receiver, int direction) {
     vec2 turn = vec2(cos(crease_directions_angle()), sin(crease_directions_angle()));
     // Of an even count each other one is the opposite of that before it, with which it shares much of its weighing.
     bool opposite = crease_directions_count % 2 == 0 && direction % 2 == 1;

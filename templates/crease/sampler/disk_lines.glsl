@@ -1,15 +1,16 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
-// Lines spread evenly over the disk of the radius, each the ray of the texel that it falls into: a spiral of golden
-// angles, turned and its radii shifted by the noise of the pixel.
-
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 vec2 crease_noise(ivec2 pixel);
 void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out vec3 ray);
 float crease_share_inside(vec2 from, vec2 way);
 int crease_step_count();
 vec3 crease_line_chord(vec2 chord, vec2 over); // which part of a chord counts, and what of that is not over the plane
+#else
+__LINE__, R"glsl("
+#endif
+
+// Lines spread evenly over the disk of the radius, each the ray of the texel that it falls into: a spiral of golden
+// angles, turned and its radii shifted by the noise of the pixel.
 
 struct crease_pattern {
     vec2 direction; // unit, on the disk that faces the eye
@@ -24,7 +25,7 @@ crease_pattern crease_pattern_begin(crease_receiver receiver) {
 
 int crease_direction_count() { return 1; }
 
-vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
+vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
     const vec2 golden_angle = vec2(-0.73736888, 0.67549029);

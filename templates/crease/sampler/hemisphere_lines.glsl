@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT-0
 #ifdef __cplusplus
-R"glsl("
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // Lines through the hemisphere over the receiver's tangent plane.
 
 int crease_step_count() { return crease_hemisphere_lines_count; }

@@ -1,15 +1,16 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
-// Points in the hemisphere over the receiver, turned about the normal by a random angle per pixel:
-// stochastic-depth-ao 4.1. Directions are distributed by the cosine and distances evenly, so that the share of points
-// behind a surface at distance d is the cosine-weighted occlusion with a linear falloff, 1 - d / R.
-
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 vec2 crease_noise(ivec2 pixel);
 vec2 crease_texel_at(vec3 position);
 float crease_radius_inside(crease_receiver receiver);
 void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out vec3 ray);
+#else
+__LINE__, R"glsl("
+#endif
+
+// Points in the hemisphere over the receiver, turned about the normal by a random angle per pixel:
+// stochastic-depth-ao 4.1. Directions are distributed by the cosine and distances evenly, so that the share of points
+// behind a surface at distance d is the cosine-weighted occlusion with a linear falloff, 1 - d / R.
 
 struct crease_pattern {
     vec3 tangent, bitangent; // view space, unit
@@ -32,7 +33,7 @@ int crease_direction_count() { return 1; }
 
 int crease_step_count() { return crease_hemisphere_points_count; }
 
-vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
+vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
     const vec2 golden_angle = vec2(-0.73736888, 0.67549029);

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT-0
 #ifdef __cplusplus
-R"glsl("
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // A tap along the ray through the centre of a texel, where that passes through the volume around the receiver.
 struct crease_tap {
     vec2 texel;

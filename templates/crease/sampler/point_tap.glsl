@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT-0
 #ifdef __cplusplus
-R"glsl("
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // A tap at a point of view space, moved onto the ray through the centre of the texel that it falls into.
 struct crease_tap {
     vec2 texel;
@@ -11,8 +12,8 @@ struct crease_tap {
 
 // The height over the tangent plane up to which a point says nothing, as rounding may put it on either side of a surface: a
 // share of the radius, or of the depth where the radius is larger.
-float crease_point_bias(crease_receiver receiver) {
-    return crease_bias * min(crease_radius, -receiver.position.z);
+float crease_point_bias(crease_receiver receiver, float bias) {
+    return bias * min(crease_radius, -receiver.position.z);
 }
 #ifdef __cplusplus
 ")glsl"

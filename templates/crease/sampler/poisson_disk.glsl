@@ -1,12 +1,13 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
-// A disk of points that keep apart: a spiral of golden angles, on which no two of N points are nearer to each other
-// than 1 / sqrt(N) of the radius, for every N. It is turned, and its radii are shifted, at random per pixel.
-
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 vec2 crease_noise(ivec2 pixel);
 float crease_share_inside(vec2 from, vec2 way);
+#else
+__LINE__, R"glsl("
+#endif
+
+// A disk of points that keep apart: a spiral of golden angles, on which no two of N points are nearer to each other
+// than 1 / sqrt(N) of the radius, for every N. It is turned, and its radii are shifted, at random per pixel.
 
 struct crease_pattern {
     vec2 direction; // unit, on the disk that faces the eye
@@ -23,7 +24,7 @@ int crease_direction_count() { return 1; }
 
 int crease_step_count() { return crease_poisson_disk_count; }
 
-vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
+vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
     const vec2 golden_angle = vec2(-0.73736888, 0.67549029);

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT-0
 #ifdef __cplusplus
-R"glsl("
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // The radius in which a sampler looks for points: no larger than half the picture's diagonal at the receiver's depth, so that
 // a radius that is larger than the picture still finds what is there.
 float crease_radius_inside(crease_receiver receiver) {

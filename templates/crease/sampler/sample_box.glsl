@@ -1,10 +1,11 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
-// One tap: the area that the box around the receiver covers: statistical-volumetric-obscurance 4.2.
-
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 vec4 crease_sample_area(vec2 texel, mat2 disk);
+#else
+__LINE__, R"glsl("
+#endif
+
+// One tap: the area that the box around the receiver covers: statistical-volumetric-obscurance 4.2.
 
 struct crease_pattern {
     bool unused;
@@ -16,7 +17,7 @@ int crease_direction_count() { return 1; }
 
 int crease_step_count() { return 1; }
 
-vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
+vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
     return crease_tap(crease_sample_area(receiver.texel, receiver.disk), receiver.texel, true);

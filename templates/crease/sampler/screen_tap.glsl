@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT-0
 #ifdef __cplusplus
-R"glsl("
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // A tap on the screen, at the centre of a texel.
 struct crease_tap {
     vec2 texel;

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT-0
 #ifdef __cplusplus
-R"glsl("
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // How much of a way across the depth image stays in it, from 0 to 1: a march is cut at the picture's edge, so that a radius
 // that is larger than the picture still finds what is there. `from` and `way` in texels, edges being whole numbers.
 float crease_share_inside(vec2 from, vec2 way) {

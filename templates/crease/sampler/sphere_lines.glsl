@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT-0
 #ifdef __cplusplus
-R"glsl("
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // Lines through the sphere around the receiver.
 
 int crease_step_count() { return crease_sphere_lines_count; }

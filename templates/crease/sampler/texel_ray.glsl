@@ -1,11 +1,12 @@
-#ifdef __cplusplus
-R"glsl("
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
+vec3 crease_view_position(vec2 texel, float depth);
+#else
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // The ray of a texel by the receiver: start + t * ray from it, where t counts depth and is 0 where the receiver is.
 // Differences are of rays alone, as those of positions keep nothing of a radius that is small beside the distance.
-
-vec3 crease_view_position(vec2 texel, float depth);
 
 void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out vec3 ray) {
     vec3 eye = crease_view_position(texel, 0.0), own_eye = crease_view_position(receiver.texel, 0.0);

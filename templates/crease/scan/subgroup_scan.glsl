@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT-0
 #ifdef __cplusplus
-R"glsl("
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // A scan by the device's own: the sums of all lines stand one after another, whatever the invocations' places, and each
 // subgroup, of which all are full, scans its share of them. It may hold several lines, which it takes one by one, or a
 // part of one.

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT-0
 #ifdef __cplusplus
-R"glsl("
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // Up-sweep and down-sweep through shared memory: statistical-volumetric-obscurance 3.4, figure 3.6, and A.1.
 shared vec4 crease_scan_sums[gl_WorkGroupSize.x * gl_WorkGroupSize.y];
 

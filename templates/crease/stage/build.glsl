@@ -1,8 +1,9 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 void crease_build(ivec2 texel);
+#else
+__LINE__, R"glsl("
+#endif
 
 void main() {
     ivec2 texel = ivec2(gl_GlobalInvocationID.xy);

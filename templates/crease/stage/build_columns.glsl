@@ -1,8 +1,9 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 void crease_build_line(int line);
+#else
+__LINE__, R"glsl("
+#endif
 
 void main() { crease_build_line(int(gl_GlobalInvocationID.x)); }
 #ifdef __cplusplus

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT-0
 #ifdef __cplusplus
-R"glsl("
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // One triangle that covers the output, from the vertex's index alone.
 void main() {
     vec2 corner = vec2(CREASE_VERTEX_INDEX == 1 ? 3.0 : -1.0, CREASE_VERTEX_INDEX == 2 ? 3.0 : -1.0);

@@ -1,8 +1,9 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 crease_result crease_evaluate(ivec2 pixel);
+#else
+__LINE__, R"glsl("
+#endif
 
 // Visibility of a pixel of the pass's output: 1 open, 0 closed.
 float crease_visibility(ivec2 pixel) { return crease_evaluate(pixel).visibility; }

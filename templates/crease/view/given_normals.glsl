@@ -1,11 +1,12 @@
-#ifdef __cplusplus
-R"glsl("
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
+vec3 crease_to_eye(vec3 position);
+#else
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // The normals image holds view-space normals, facing the camera, of any length; one that has no direction counts as
 // facing the eye.
-
-vec3 crease_to_eye(vec3 position);
 
 vec3 crease_normal_at(vec2 texel, vec3 position) {
     vec3 normal = textureLod(crease_normal, (texel + 0.5) * crease_view.texel_size, 0.0).xyz;

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT-0
 #ifdef __cplusplus
-R"glsl("
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // An orthographic projection, centred or not; depth standard or reversed.
 
 float crease_linear_depth(float device) {
@@ -22,12 +23,12 @@ vec2 crease_texel_at(vec3 position) {
 
 vec3 crease_to_eye(vec3 position) { return vec3(0.0, 0.0, 1.0); }
 
-void crease_axes(vec3 to_eye, out vec3 across, out vec3 up) {
-    across = vec3(1.0, 0.0, 0.0);
-    up = vec3(0.0, 1.0, 0.0);
+void crease_axes(vec3 to_eye, out vec3 tangent, out vec3 bitangent) {
+    tangent = vec3(1.0, 0.0, 0.0);
+    bitangent = vec3(0.0, 1.0, 0.0);
 }
 
-mat2 crease_disk(vec3 position, vec3 across, vec3 up) {
+mat2 crease_disk(vec3 position, vec3 tangent, vec3 bitangent) {
     vec2 scale = crease_radius / crease_view.from_texel.xy;
     return mat2(scale.x, 0.0, 0.0, scale.y);
 }

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT-0
 #ifdef __cplusplus
-R"glsl("
+__LINE__, R"glsl("
 #endif
-// SPDX-License-Identifier: MIT
+
 // A perspective projection, centred or not; depth standard, reversed or infinite: stochastic-depth-ao 4.4.
 
 float crease_linear_depth(float device) {
@@ -24,16 +25,16 @@ vec2 crease_texel_at(vec3 position) {
 
 vec3 crease_to_eye(vec3 position) { return -normalize(position); }
 
-void crease_axes(vec3 to_eye, out vec3 across, out vec3 up) {
-    across = normalize(vec3(to_eye.z, 0.0, -to_eye.x));
-    up = cross(to_eye, across);
+void crease_axes(vec3 to_eye, out vec3 tangent, out vec3 bitangent) {
+    tangent = normalize(vec3(to_eye.z, 0.0, -to_eye.x));
+    bitangent = cross(to_eye, tangent);
 }
 
 // Derivative of the projection at `position` along two axes that face the eye, times the radius.
-mat2 crease_disk(vec3 position, vec3 across, vec3 up) {
+mat2 crease_disk(vec3 position, vec3 tangent, vec3 bitangent) {
     vec2 ray = position.xy / -position.z;
     vec2 scale = crease_radius / (-position.z * crease_view.from_texel.xy);
-    return mat2((across.xy + ray * across.z) * scale, (up.xy + ray * up.z) * scale);
+    return mat2((tangent.xy + ray * tangent.z) * scale, (bitangent.xy + ray * bitangent.z) * scale);
 }
 #ifdef __cplusplus
 ")glsl"

@@ -1,13 +1,14 @@
-#ifdef __cplusplus
-R"glsl("
-#endif
-// SPDX-License-Identifier: MIT
-// The normal of the plane through the receiver and its neighbours: of left and right, and of up and down, the one
-// that is nearer in depth.
-
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
 float crease_depth_at(vec2 texel);
 vec3 crease_view_position(vec2 texel, float depth);
 vec3 crease_to_eye(vec3 position);
+#else
+__LINE__, R"glsl("
+#endif
+
+// The normal of the plane through the receiver and its neighbours: of left and right, and of up and down, the one
+// that is nearer in depth.
 
 vec3 crease_reconstructed_normals_tangent(vec2 texel, vec3 position, vec2 axis) {
     vec2 before_texel = texel - axis, after_texel = texel + axis;

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/compose/program.hpp>
+#include <crease/effect/effect_view.hpp>
+
+namespace crease {
+
+inline constexpr piece fullscreen_vulkan[] = {
+    {"interface", "#version 450\n#define CREASE_VERTEX_INDEX gl_VertexIndex\n"},
+    {fullscreen_glsl.name, fullscreen_glsl.text, fullscreen_glsl.first_line}};
+inline constexpr piece fullscreen_opengl[] = {
+    {"interface", "#version 430\n#define CREASE_VERTEX_INDEX gl_VertexID\n"},
+    {fullscreen_glsl.name, fullscreen_glsl.text, fullscreen_glsl.first_line}};
+
+/// The pass without its lists.
+constexpr pass describe(const plan& p, const planned_pass& planned) {
+    const dialect_kind dialect = p.is_vulkan() ? dialect_kind::vulkan : dialect_kind::opengl;
+    const bool further = planned.view > 0 && planned.stage == stage_kind::geometry;
+    pass described{.name = further ? p.resources[planned.outputs[0]].name : planned.what->name,
+                   .stage = planned.stage,
+                   .dialect = dialect,
+                   .pieces = {},
+                   .vertex_pieces = {},
+                   .bindings = {},
+                   .constants = {},
+                   .size = planned.size,
+                   .covers = planned.what->kind == step_kind::rows      ? dispatch::rows
+                             : planned.what->kind == step_kind::columns ? dispatch::columns
+                                                                        : dispatch::texels,
+                   .view = planned.view};
+    if (planned.stage == stage_kind::fragment)
+        described.vertex_pieces = dialect == dialect_kind::vulkan ? fullscreen_vulkan : fullscreen_opengl;
+    return described;
+}
+
+/// A definition of a program as a piece of its text.
+constexpr piece piece_of(const linker::linked& what) {
+    const definition& own = what.from->definitions.items[what.index];
+    const glsl_file& file = *what.from->file;
+    return {file.name, {file.text.data() + own.begin, static_cast<std::size_t>(own.end - own.begin)},
+            file.first_line + own.line};
+}
+
+/// Which resources of a plan an effect has: the block of parameters, what its passes touch, and the outputs.
+struct resource_map {
+    bool is_used[most_resources]{};
+    unsigned index[most_resources]{}; ///< in the effect
+    unsigned count = 0;
+
+    constexpr void use(const program& written) {
+        for (const binding& b : written.bindings)
+            is_used[b.resource] = true;
+    }
+    constexpr void number(const plan& p) {
+        is_used[0] = true;
+        for (std::size_t i = 0; i < p.resources.size(); ++i) {
+            index[i] = count;
+            count += is_used[i] ? 1 : 0;
+        }
+    }
+};
+
+/// Why the passes of a plan do not fit each other; `next` checks them in their order.
+struct pass_order {
+    bool is_filled[most_resources]{};
+
+    constexpr refusal next(const plan& p, const planned_pass& pass, const program& written) {
+        for (const binding& b : written.bindings) {
+            const resource& r = p.resources[b.resource];
+            if (!writes(b.how) && r.life == lifetime::transient && !r.cleared && !is_filled[b.resource])
+                return {rules::written_first, pass.what->name, r.name};
+        }
+        for (const binding& b : written.bindings)
+            if (writes(b.how))
+                is_filled[b.resource] = true;
+        return written.cut ? refusal{rules::short_programs, pass.what->name} : refusal{};
+    }
+};
+
+/// What the passes of a plan require of a device.
+constexpr device_features required_features(const plan& p) {
+    device_features required;
+    for (const choice& c : p.parts)
+        required |= c.what->features;
+    for (const planned_pass& pass : p.passes)
+        for (unsigned output : pass.outputs) {
+            const resource& filled = p.resources[output];
+            if (pass.stage == stage_kind::geometry) {
+                required.fragment_stores_and_atomics |= p.is_vulkan() && pass.what->how == access::modify;
+                if (pass.what->how == access::attachment)
+                    required.depth_samples |= filled.samples;
+                if (filled.centred)
+                    required.centred_depth_samples |= filled.samples;
+            } else if (p.is_vulkan() && pass.stage == stage_kind::compute) {
+                required.extended_storage_formats |= facts_of(filled.texels).extended;
+            }
+        }
+    return required;
+}
+
+/// The parameters with each part's recommended settings, and no view yet.
+constexpr parameters default_parameters(array_view<const effect_setting> settings) {
+    parameters p;
+    for (std::size_t i = 0; i < settings.size(); ++i)
+        p.settings[i] = settings[i].fallback;
+    return p;
+}
+
+}

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/compose/core_files.hpp>
+#include <crease/compose/rules.hpp>
+#include <crease/effect/parameters.hpp>
+#include <crease/effect/pass.hpp>
+#include <crease/parts/output/outputs.hpp>
+#include <crease/parts/stage/stages.hpp>
+
+namespace crease {
+
+/// The most passes and resources that an effect may have, and the most outputs of a pass.
+inline constexpr std::size_t most_passes = 32, most_resources = 48, most_outputs = 4;
+
+/// A pass before its text: which step of which part, and between which resources.
+struct planned_pass {
+    const step* what = nullptr;
+    choice owner{}; ///< the part whose step it is; of the main pass the estimator
+    stage_kind stage = stage_kind::compute;
+    int input = -1; ///< resource that a filter reads; -1: none
+    fixed_list<unsigned, most_outputs> outputs{};
+    bool last = false; ///< whether the outputs are the effect's
+    extent size{};     ///< of the outputs
+    unsigned input_divisor = 1;
+    unsigned view = 0; ///< index of the camera that it works for
+};
+
+/// An effect before its text.
+struct plan {
+    choice_list parts; ///< in the order of their roles
+    fixed_list<planned_pass, most_passes> passes;
+    fixed_list<resource, most_resources> resources; ///< 0 is the block of parameters; of the others those that
+                                                    ///< no pass touches do not become the effect's
+    fixed_list<effect_setting, most_settings> settings;
+    unsigned views = 1;
+    fixed_text<256> recipe; ///< the parts that were named, with their numbers
+    refusal refused{};
+
+    /// The first part of a role; null where there is none.
+    constexpr const choice* find(role r) const {
+        for (const choice& c : parts)
+            if (c.what->kind == r)
+                return &c;
+        return nullptr;
+    }
+    /// The part of a role that every effect has.
+    constexpr const choice& chosen(role r) const { return *find(r); }
+    constexpr bool is_vulkan() const { return !has(chosen(role::dialect).what->offers, &opengl_words::value); }
+
+    /// The resource that a camera's pass finds under a name; -1 where there is none.
+    constexpr int index_of(std::string_view name, unsigned view) const {
+        for (std::size_t i = 0; i < resources.size(); ++i)
+            if (resources[i].name == name) {
+                const bool is_own = view > 0 && !resources[i].further_names.empty();
+                return static_cast<int>(is_own ? i + view : i);
+            }
+        return -1;
+    }
+};
+
+
+inline constexpr step main_step{.name = "visibility", .columns = 16};
+
+namespace planning {
+
+// Images between passes need names with static storage.
+inline constexpr std::string_view between[] = {"between_0",  "between_1",  "between_2",  "between_3",
+                                               "between_4",  "between_5",  "between_6",  "between_7",
+                                               "between_8",  "between_9",  "between_10", "between_11",
+                                               "between_12", "between_13", "between_14", "between_15"};
+
+constexpr void add_resources(plan& p, const choice& c, unsigned view_divisor) {
+    for (const resource& described : c.what->resources) {
+        if (described.life == lifetime::handed_on || described.life == lifetime::output)
+            continue;
+        resource own = described;
+        if (own.shape)
+            own.shape(own, {p.parts, c, p.views});
+        own.shape = nullptr;
+        p.resources.add(own);
+        for (unsigned v = 1; v < p.views && !own.further_names.empty(); ++v) {
+            resource further = own;
+            further.name = own.further_names[v - 1];
+            further.further_names = {};
+            further.size = {.divisor = view_divisor};
+            p.resources.add(further);
+        }
+    }
+}
+
+constexpr void add_settings(plan& p, const choice& c) {
+    for (const setting& s : c.what->settings) {
+        bool is_there = false;
+        for (const effect_setting& before : p.settings)
+            is_there = is_there || (before.name == s.name && ((before.shared && s.shared) || before.part == c.what->name));
+        if (!is_there)
+            p.settings.add({c.what->name, s.name, s.fallback, s.least, s.most, s.meaning, s.shared});
+    }
+}
+
+/// The steps of a part that run before the main pass or after the last filter.
+constexpr void add_steps(plan& p, const choice& owner, bool after, unsigned view_divisor) {
+    for (const step& s : owner.what->steps) {
+        if (s.kind == step_kind::result || s.after != after || owner.numbers[0] < s.from)
+            continue;
+        const unsigned views = s.per_view ? p.views : 1;
+        for (unsigned i = 0; i < views * static_cast<unsigned>(s.times); ++i) {
+            planned_pass pass{.what = &s, .owner = owner, .view = i / static_cast<unsigned>(s.times)};
+            pass.stage = s.kind == step_kind::geometry ? stage_kind::geometry : stage_kind::compute;
+            for (std::string_view name : s.writes) {
+                const int at = p.index_of(name, pass.view);
+                if (at < 0)
+                    p.refused = {rules::known_resource, owner.what->name, name};
+                else
+                    pass.outputs.add(static_cast<unsigned>(at));
+            }
+            if (pass.outputs.size() > 0)
+                pass.size = p.resources[pass.outputs[0]].size;
+            if (pass.view > 0)
+                pass.size = {.divisor = view_divisor};
+            if (pass.outputs.cut)
+                p.refused = {rules::few_passes, owner.what->name};
+            p.passes.add(pass);
+        }
+    }
+}
+
+/// The passes that hand a result on: the main pass, and then those of the filters.
+constexpr void add_chain(plan& p) {
+    const stage_kind stage = stage_of(*p.chosen(role::stage).what);
+    unsigned divisor = 1;
+    for (const choice& c : p.parts)
+        divisor *= rules::upsampling_of(c);
+    p.passes.add({.what = &main_step,
+                  .owner = p.chosen(role::estimator),
+                  .stage = stage,
+                  .size = {.divisor = divisor},
+                  .input_divisor = divisor});
+    for (const choice& c : p.parts)
+        for (const step& s : c.what->steps) {
+            if (s.kind != step_kind::result)
+                continue;
+            const unsigned input_divisor = divisor;
+            if (s.upsampling >= 0)
+                divisor /= static_cast<unsigned>(c.numbers[s.upsampling]);
+            p.passes.add({.what = &s,
+                          .owner = c,
+                          .stage = stage,
+                          .size = {.divisor = divisor},
+                          .input_divisor = input_divisor});
+        }
+}
+
+/// Gives each pass of the chain from `first` on what it writes: the last the images that leave the effect.
+constexpr void connect_chain(plan& p, std::size_t first, bool outputs) {
+    const choice& output = p.chosen(role::output);
+    for (std::size_t i = first; i < p.passes.size(); ++i) {
+        planned_pass& pass = p.passes[i];
+        pass.last = i + 1 == p.passes.size();
+        if (pass.last != outputs)
+            continue;
+        for (const resource& described : output.what->resources) {
+            if (described.life != (pass.last ? lifetime::output : lifetime::handed_on))
+                continue;
+            resource own = described;
+            own.size = pass.size;
+            if (!pass.last) {
+                own.name = between[i - first];
+                own.life = lifetime::transient;
+                p.passes[i + 1].input = static_cast<int>(p.resources.size());
+            }
+            pass.outputs.add(static_cast<unsigned>(p.resources.size()));
+            p.resources.add(own);
+        }
+    }
+}
+
+}
+
+/// Plans the effect of parts that `check` accepts.
+constexpr plan make_plan(array_view<const choice> choices) {
+    plan p;
+    p.recipe = recipe_text(choices);
+    const choice_list all = complete(choices);
+    for (std::size_t r = 0; r < role_count; ++r)
+        for (const choice& c : all)
+            if (static_cast<std::size_t>(c.what->kind) == r)
+                p.parts.add(c);
+    unsigned view_divisor = 1;
+    for (const choice& c : p.parts) {
+        p.views += c.what->further_views.count;
+        if (c.what->further_views.divisor >= 0)
+            view_divisor = static_cast<unsigned>(c.numbers[c.what->further_views.divisor]);
+        planning::add_settings(p, c);
+    }
+    p.resources.add({.name = "parameters", .kind = resource_kind::block});
+    for (const choice& c : p.parts)
+        planning::add_resources(p, c, view_divisor);
+    for (const choice& c : p.parts)
+        planning::add_steps(p, c, false, view_divisor);
+    const std::size_t first = p.passes.size();
+    planning::add_chain(p);
+    planning::connect_chain(p, first, false);
+    planning::connect_chain(p, first, true);
+    for (const choice& c : p.parts)
+        planning::add_steps(p, c, true, view_divisor);
+    if (p.resources.cut || p.settings.cut || p.views > 1 + most_further_views)
+        p.refused = {rules::few_resources, choices[2].what->name};
+    if (p.passes.cut || p.passes.size() - first > std::size(planning::between))
+        p.refused = {rules::few_passes, choices[2].what->name};
+    return p;
+}
+
+}

@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/compose/linker.hpp>
+#include <crease/compose/plan.hpp>
+#include <crease/effect/fixed_text.hpp>
+#include <crease/effect/version.hpp>
+#include <crease/parts/reads/image_load.hpp>
+#include <crease/parts/stage/fragment.hpp>
+
+namespace crease {
+
+using file_list = fixed_list<const glsl_file*, 64>;
+using binding_list = fixed_list<binding, 16>;
+using constant_list = fixed_list<constant, 32>;
+
+/// What stands before the definitions of a program: version, constants, resources and settings.
+using interface_text = fixed_text<6000>;
+
+/// A program before its pieces are joined. Bindings name resources of the plan.
+struct program {
+    interface_text interface;
+    fixed_list<linker::linked, 192> definitions;
+    binding_list bindings;
+    constant_list constants;
+    bool cut = false; ///< whether any of it did not fit
+};
+
+/// The GLSL files in which a pass finds what it calls, the first before the others.
+constexpr file_list files_of(const plan& p, const planned_pass& pass) {
+    file_list files;
+    for (const glsl_file* file : pass.what->files)
+        files.add(file);
+    switch (pass.what->kind) {
+    case step_kind::texels: files.add(&build_glsl); break;
+    case step_kind::rows: files.add(&build_rows_glsl); break;
+    case step_kind::columns: files.add(&build_columns_glsl); break;
+    case step_kind::result:
+        if (pass.what->columns > 0 && pass.stage == stage_kind::compute)
+            files.add(&columns_glsl);
+        break;
+    case step_kind::geometry: break;
+    }
+    for (const choice& c : p.parts)
+        if (c.what->kind != role::filter && (c.what->kind != role::stage || pass.what->kind == step_kind::result))
+            for (const glsl_file* file : c.what->files)
+                files.add(file);
+    for (const glsl_file* file : core_files)
+        files.add(file);
+    return files;
+}
+
+/// Writes the program of one pass of a plan.
+class program_writer {
+public:
+    constexpr program_writer(const plan& of, const planned_pass& pass, linker& found)
+        : plan_(of), pass_(pass), found_(found), is_vulkan_(of.is_vulkan()),
+          is_result_(pass.what->kind == step_kind::result), has_main_(pass.stage == stage_kind::compute ||
+                                                                     pass.stage == stage_kind::fragment) {
+        const choice* placed = pass.stage == stage_kind::functions  ? of.find(role::stage)
+                               : pass.stage == stage_kind::geometry ? &pass.owner
+                                                                    : nullptr;
+        if (placed) {
+            set_ = static_cast<unsigned>(placed->number_of("set"));
+            first_binding_ = static_cast<unsigned>(placed->number_of("first_binding"));
+            next_id_ = static_cast<unsigned>(placed->number_of("first_constant"));
+        }
+    }
+
+    constexpr program write() {
+        use_roots();
+        collect_bindings();
+        collect_constants();
+        write_head();
+        write_constants();
+        for (const binding& b : out_.bindings)
+            write_declaration(b);
+        write_block();
+        write_accessors();
+        write_results();
+        out_.definitions = found_.order();
+        out_.cut = found_.is_cut() || out_.interface.cut || out_.bindings.cut || out_.constants.cut;
+        return out_;
+    }
+
+private:
+    constexpr void use(std::string_view name) { found_.use(symbol_of(name, crease_prefix)); }
+    constexpr bool uses(std::string_view name) const { return found_.is_used(symbol_of(name, crease_prefix)); }
+    constexpr bool uses(std::string_view before, std::string_view name) const {
+        return found_.is_used(symbol_of(name, symbol_of(before, crease_prefix)));
+    }
+    constexpr bool uses_number(std::string_view part, std::string_view number) const {
+        return found_.is_used(symbol_of(number, symbol_of("_", symbol_of(part, crease_prefix))));
+    }
+
+    constexpr void use_roots() {
+        switch (pass_.stage) {
+        case stage_kind::functions: use("visibility"); return;
+        case stage_kind::geometry: use("capture"); return;
+        default: break;
+        }
+        if (is_result_) {
+            use("evaluate");
+            for (std::size_t i = 0; i < pass_.outputs.size(); ++i)
+                found_.use(symbol_of(encoded(i), symbol_of("encode_", crease_prefix)));
+        }
+        found_.use(main_symbol);
+    }
+
+    constexpr std::string_view encoded(std::size_t output) const {
+        return pass_.last ? plan_.resources[pass_.outputs[output]].name : std::string_view("between");
+    }
+
+    constexpr bool is_output(std::size_t resource) const {
+        for (unsigned output : pass_.outputs)
+            if (output == resource)
+                return true;
+        return false;
+    }
+
+    constexpr void bind(std::string_view name, std::size_t resource, access how) {
+        out_.bindings.add({.name = name, .resource = static_cast<unsigned>(resource), .how = how});
+    }
+
+    constexpr access read_access(const resource& r) const {
+        if (r.kind == resource_kind::buffer)
+            return access::load;
+        const bool loads = has(plan_.chosen(role::image_reads).what->offers, &image_loads::value);
+        return r.read == access::load && loads ? access::load : access::sample;
+    }
+
+    constexpr bool uses_block() const {
+        if (uses("given") || uses("radius") || uses("frame"))
+            return true;
+        for (const effect_setting& s : plan_.settings)
+            if (uses_setting(s))
+                return true;
+        return false;
+    }
+    constexpr bool uses_setting(const effect_setting& s) const {
+        return s.shared ? uses(s.name) : uses_number(s.part, s.name);
+    }
+
+    constexpr void collect_bindings() {
+        if (uses_block())
+            bind("parameters", 0, access::uniform);
+        for (std::size_t i = 1; i < plan_.resources.size(); ++i) {
+            const resource& r = plan_.resources[i];
+            const bool has_copies = !r.further_names.empty();
+            const std::size_t own = has_copies ? i + pass_.view : i;
+            if (!is_output(own) && !r.name.starts_with("between_") && r.life != lifetime::output &&
+                (uses(r.name) || uses("load_", r.name) || uses("size_of_", r.name)))
+                bind(r.name, own, read_access(r));
+            if (has_copies)
+                i += plan_.views - 1;
+        }
+        if (pass_.input >= 0)
+            bind("input", static_cast<std::size_t>(pass_.input), read_access(plan_.resources[pass_.input]));
+        for (std::size_t i = 0; i < pass_.outputs.size(); ++i) {
+            const unsigned at = pass_.outputs[i];
+            if (!is_result_)
+                bind(pass_.what->writes[i], at, pass_.what->how);
+            else
+                bind(i == 0 ? std::string_view("output") : plan_.resources[at].name, at,
+                     pass_.stage == stage_kind::compute    ? access::store
+                     : pass_.stage == stage_kind::fragment ? access::attachment
+                                                           : access::result);
+        }
+        number_bindings();
+    }
+
+    // Vulkan counts all bindings of a set; OpenGL counts blocks, textures, images and buffers apart.
+    constexpr void number_bindings() {
+        binding_list& list = out_.bindings;
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            unsigned before = 0;
+            const bool described = has_descriptor(list[i].how);
+            for (std::size_t j = 0; j < i; ++j)
+                before += described ? has_descriptor(list[j].how) && (is_vulkan_ || is_like(list[j], list[i]))
+                                    : list[j].how == list[i].how;
+            list[i].slot = before + (described ? first_binding_ : 0);
+            list[i].set = described && is_vulkan_ ? set_ : 0;
+        }
+    }
+    constexpr bool is_buffer(const binding& b) const {
+        return plan_.resources[b.resource].kind == resource_kind::buffer;
+    }
+    static constexpr bool is_storage(access how) {
+        return how == access::load || how == access::store || how == access::modify;
+    }
+    constexpr bool is_like(const binding& a, const binding& b) const {
+        return is_buffer(a) == is_buffer(b) && (a.how == b.how || (is_storage(a.how) && is_storage(b.how)));
+    }
+
+    constexpr void collect_constants() {
+        if (pass_.stage == stage_kind::compute) {
+            const choice& stage = plan_.chosen(role::stage);
+            out_.constants.add(
+                {"compute", "width", next_id_++, is_result_ ? stage.numbers[0] : pass_.what->group_width});
+            out_.constants.add(
+                {"compute", "height", next_id_++, is_result_ ? stage.numbers[1] : pass_.what->group_height});
+        }
+        add_constants_of(pass_.owner);
+        for (const choice& c : plan_.parts)
+            add_constants_of(c);
+    }
+    constexpr void add_constants_of(const choice& c) {
+        for (const constant& before : out_.constants)
+            if (before.part == c.what->name)
+                return;
+        for (std::size_t i = 0; i < c.what->numbers.size(); ++i)
+            if (uses_number(c.what->name, c.what->numbers[i].name))
+                out_.constants.add({c.what->name, c.what->numbers[i].name, next_id_++, c.numbers[i]});
+    }
+
+    constexpr void write_head() {
+        interface_text& text = out_.interface;
+        text << "// " << plan_.recipe.view() << ", pass " << pass_.what->name << "; crease " << version
+             << ", SPDX-License-Identifier: MIT-0\n";
+        if (has_main_)
+            text << (is_vulkan_ ? "#version 450\n" : "#version 430\n");
+        if (has_main_ && is_vulkan_ && uses("unroll"))
+            text << "#extension GL_EXT_control_flow_attributes : enable\n";
+        for (const choice& c : plan_.parts)
+            if (has_main_ && !c.what->extension.empty() && is_linked(c))
+                text << "#extension " << c.what->extension << " : require\n";
+        // A host that takes functions writes its own #version and #extension.
+        if (uses("unroll"))
+            text << "#define crease_unroll" << (has_main_ && is_vulkan_ ? " [[unroll]]\n" : "\n");
+        if (pass_.stage != stage_kind::compute)
+            return;
+        text << "layout(local_size_x = " << out_.constants[0].value
+             << ", local_size_y = " << out_.constants[1].value
+             << (is_vulkan_ ? ", local_size_x_id = 0, local_size_y_id = 1) in;\n" : ") in;\n");
+    }
+    constexpr bool is_linked(const choice& c) const {
+        for (const linker::linked& each : found_.order())
+            for (const glsl_file* file : c.what->files)
+                if (each.from->file == file)
+                    return true;
+        return false;
+    }
+
+    constexpr void write_constant(std::string_view part, std::string_view name, int value) {
+        out_.interface << "const int crease_" << part << (part.empty() ? "" : "_") << name << " = " << value
+                       << ";\n";
+    }
+    constexpr void write_constants() {
+        const std::size_t first = pass_.stage == stage_kind::compute ? 2 : 0;
+        for (std::size_t i = first; i < out_.constants.size(); ++i) {
+            const constant& c = out_.constants[i];
+            if (is_vulkan_)
+                out_.interface << "layout(constant_id = " << c.id << ") ";
+            write_constant(c.part, c.number, c.value);
+        }
+        for (const step_constant& c : pass_.what->constants) {
+            const std::string_view part = c.of.empty() ? pass_.owner.what->name : c.of;
+            if (uses_number(part, c.name))
+                write_constant(part, c.name, c.value);
+        }
+        if (uses("divisor"))
+            write_constant("", "divisor", static_cast<int>(pass_.size.divisor));
+        if (uses("workgroup_columns"))
+            write_constant("workgroup", "columns", pass_.what->columns);
+        if (uses("input_divisor"))
+            write_constant("", "input_divisor", static_cast<int>(pass_.input_divisor));
+        // A program for all cameras begins with the first and turns to the others itself.
+        if (uses("view_index"))
+            out_.interface << (is_result_ && plan_.views > 1 ? "" : "const ") << "int crease_view_index = "
+                           << pass_.view << ";\n";
+    }
+
+    constexpr void write_place(const binding& b) {
+        if (is_vulkan_)
+            out_.interface << "set = " << b.set << ", ";
+        out_.interface << "binding = " << b.slot;
+    }
+
+    static constexpr const char* prefix_of(const resource& r) { return facts_of(r.texels).whole_numbers ? "u" : ""; }
+
+    constexpr void write_declaration(const binding& b) {
+        const resource& r = plan_.resources[b.resource];
+        const char* prefix = prefix_of(r);
+        const char* shape = r.samples > 1 ? "2DMS" : r.arrayed ? "2DArray" : "2D";
+        interface_text& text = out_.interface;
+        if (r.kind == resource_kind::buffer) {
+            text << "layout(std430, ";
+            write_place(b);
+            text << (b.how == access::load ? ") readonly buffer crease_" : ") buffer crease_") << b.name
+                 << "_buffer { " << r.element << " crease_" << b.name << "[]; };\n";
+        } else if (b.how == access::sample) {
+            text << "layout(";
+            write_place(b);
+            text << ") uniform " << prefix << "sampler" << shape << " crease_" << b.name << ";\n";
+        } else if (is_storage(b.how)) {
+            text << "layout(" << facts_of(r.texels).glsl << ", ";
+            write_place(b);
+            text << ") uniform "
+                 << (b.how == access::store  ? "writeonly "
+                     : b.how == access::load ? "readonly "
+                                             : "")
+                 << prefix << "image" << shape << " crease_" << b.name << ";\n";
+        } else if (b.how == access::attachment && has_main_) {
+            text << "layout(location = " << b.slot << ") out " << prefix << "vec4 crease_" << b.name << ";\n";
+        }
+    }
+
+    constexpr void write_block() {
+        if (out_.bindings.size() == 0 || out_.bindings[0].how != access::uniform)
+            return;
+        interface_text& text = out_.interface;
+        text << "\nstruct crease_view_parameters {\n    vec4 from_texel;\n    vec2 depth_unpack;\n"
+                "    float far_depth;\n    float guard;\n    vec2 resolution;\n    vec2 texel_size;\n};\n\n"
+                "layout(std140, ";
+        write_place(out_.bindings[0]);
+        text << ") uniform crease_parameters {\n    crease_view_parameters views[" << plan_.views << "];\n";
+        if (plan_.views > 1)
+            text << "    mat4 from_first[" << plan_.views - 1 << "];\n";
+        text << "    float radius;\n    uint frame;\n";
+        for (const effect_setting& s : plan_.settings) {
+            text << "    float ";
+            write_setting(s);
+            text << ";\n";
+        }
+        text << "} crease_given;\n\n";
+        if (uses("radius"))
+            text << "float crease_radius = crease_given.radius;\n";
+        if (uses("frame"))
+            text << "uint crease_frame = crease_given.frame;\n";
+        for (const effect_setting& s : plan_.settings)
+            if (uses_setting(s)) {
+                text << "float crease_";
+                write_setting(s);
+                text << " = crease_given.";
+                write_setting(s);
+                text << ";\n";
+            }
+    }
+    constexpr void write_setting(const effect_setting& s) {
+        if (!s.shared)
+            out_.interface << s.part << "_";
+        out_.interface << s.name;
+    }
+
+    // How a program reads what a pass writes: the one place that knows of image loads and texel fetches.
+    constexpr void write_accessors() {
+        interface_text& text = out_.interface;
+        for (const binding& b : out_.bindings) {
+            const resource& r = plan_.resources[b.resource];
+            const bool is_image = b.how != access::sample;
+            const char* texel = r.arrayed ? "ivec3" : "ivec2";
+            if (uses("load_", b.name))
+                text << "\n" << prefix_of(r) << "vec4 crease_load_" << b.name << "(" << texel << " texel) { return "
+                     << (is_image ? "imageLoad(crease_" : "texelFetch(crease_") << b.name
+                     << (is_image ? ", texel); }\n" : ", texel, 0); }\n");
+            if (uses("size_of_", b.name))
+                text << "\nivec2 crease_size_of_" << b.name << "() { return "
+                     << (is_image ? "imageSize(crease_" : "textureSize(crease_") << b.name
+                     << (is_image ? ").xy; }\n" : ", 0).xy; }\n");
+        }
+    }
+
+    constexpr void write_results() {
+        interface_text& text = out_.interface;
+        if (uses("build_size"))
+            text << "#define crease_build_size imageSize(crease_" << pass_.what->writes[0] << ").xy\n";
+        if (!uses("write"))
+            return;
+        text << "\n#define crease_write(pixel, result)";
+        for (std::size_t i = 0; i < pass_.outputs.size(); ++i) {
+            const std::string_view image =
+                i == 0 ? std::string_view("output") : plan_.resources[pass_.outputs[i]].name;
+            if (pass_.stage == stage_kind::compute)
+                text << " imageStore(crease_" << image << ", pixel, crease_encode_" << encoded(i) << "(result));";
+            else
+                text << " crease_" << image << " = crease_encode_" << encoded(i) << "(result);";
+        }
+        text << "\n";
+    }
+
+    const plan& plan_;
+    const planned_pass& pass_;
+    linker& found_;
+    bool is_vulkan_, is_result_, has_main_;
+    unsigned set_ = 0, first_binding_ = 0, next_id_ = 0;
+    program out_;
+};
+
+/// Writes the program of a pass out of the symbols of its files: compile time and run time alike.
+constexpr program write_program(const plan& p, const planned_pass& pass,
+                                array_view<const symbol_table* const> files) {
+    linker found;
+    for (const symbol_table* file : files)
+        found.add(*file);
+    return program_writer(p, pass, found).write();
+}
+
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/effect/fixed_text.hpp>
+
+#include <string_view>
+
+namespace crease {
+
+// The rules of composing, each with its sentence: static assertion and run-time refusal alike.
+// clang-format off
+#define CREASE_RULES(rule)                                                                                             \
+    rule(sampler_first, "the first part must be a sampler")                                                            \
+    rule(depth_source_second, "the second part must be a depth source")                                                \
+    rule(estimator_third, "the third part must be an estimator")                                                       \
+    rule(rest_beside_three, "a fourth or later part must not be a sampler, a depth source or an estimator")            \
+    rule(role_once, "two parts have the same role, and only filters may be more than one")                             \
+    rule(in_range, "a number of a part is out of its range")                                                           \
+    rule(asked_for, "a part is of use only beside a part that requires its role, and none does")                       \
+    rule(full_size_input, "a filter takes a picture of full size, and the one before it makes a smaller one")          \
+    rule(few_enough, "an effect has 16 parts at the most")                                                             \
+    rule(known_resource, "a step fills a resource that no part of the effect describes")                               \
+    rule(written_first, "a pass reads a resource that no pass before it fills")                                        \
+    rule(few_resources, "an effect has 48 resources, 24 settings and 4 views at the most")                             \
+    rule(few_passes, "an effect has 32 passes at the most, each with 4 outputs, 16 bindings and 32 constants")         \
+    rule(short_programs, "a program has 500 names, 190 functions and 6000 characters of interface at the most")
+// clang-format on
+
+/// Why an effect is refused; `sentence` is empty where it is not.
+struct refusal {
+    std::string_view sentence{};
+    std::string_view first{}, second{}; ///< the parts that it is about
+
+    constexpr explicit operator bool() const { return !sentence.empty(); }
+
+    /// One sentence that names the parts and the reason.
+    constexpr fixed_text<512> message() const {
+        fixed_text<512> text;
+        if (*this)
+            text << "crease::effect: " << sentence << " (" << first << (second.empty() ? "" : ", ") << second
+                 << ")";
+        return text;
+    }
+};
+
+namespace rules {
+
+#define CREASE_RULE(name_, sentence_) inline constexpr std::string_view name_ = sentence_;
+CREASE_RULES(CREASE_RULE)
+#undef CREASE_RULE
+
+}
+
+}

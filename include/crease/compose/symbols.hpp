@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/compose/glsl_file.hpp>
+#include <crease/effect/fixed_list.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace crease {
+
+/// An identifier of GLSL as a number (FNV-1a); a test checks that those of crease all differ.
+using symbol = std::uint32_t;
+
+inline constexpr symbol empty_symbol = 2166136261u;
+
+/// The symbol of `text` after what `before` stands for.
+constexpr symbol symbol_of(std::string_view text, symbol before = empty_symbol) {
+    for (char c : text)
+        before = (before ^ static_cast<unsigned char>(c)) * 16777619u;
+    return before;
+}
+
+inline constexpr symbol crease_prefix = symbol_of("crease_"), main_symbol = symbol_of("main");
+
+/// A function, struct, constant or variable at the top level of a file.
+struct definition {
+    symbol name = 0;                                  ///< begins with `crease_`, or is `main`
+    std::uint16_t begin = 0, end = 0;                 ///< whole lines of the text, comments before it included
+    std::uint16_t line = 0;                           ///< of the text, from 0
+    std::uint16_t first_reference = 0, references = 0; ///< into `symbol_table::references`
+};
+
+/// What a file defines, and the identifiers that begin with `crease_` in each definition.
+struct symbol_table {
+    const glsl_file* file = nullptr;
+    fixed_list<definition, 40> definitions;
+    fixed_list<symbol, 240> references;
+};
+
+namespace reading {
+
+constexpr bool is_word(char c) {
+    return (c >= 'a' && c <= 'z') || c == '_' || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+constexpr bool begins_with_prefix(const char* text, std::size_t left) {
+    return left > 7 && text[0] == 'c' && text[1] == 'r' && text[2] == 'e' && text[3] == 'a' && text[4] == 's' &&
+           text[5] == 'e' && text[6] == '_';
+}
+
+}
+
+/// Reads the definitions of a file. One whose name does not begin with `crease_` counts to that after it.
+constexpr symbol_table read_symbols(const glsl_file& file) {
+    symbol_table table{&file, {}, {}};
+    // Plain indices and one loop: a compiler evaluates this for each character.
+    const char* text = file.text.data();
+    const std::size_t size = file.text.size();
+    definition own;
+    symbol last = 0; // identifier just before
+    bool is_named = false, is_function = false;
+    int depth = 0;
+    std::uint16_t line = 0;
+    for (std::size_t i = 0; i < size;) {
+        const char c = text[i];
+        if (c == ' ') {
+            ++i;
+        } else if (c == '\n') {
+            ++i;
+            ++line;
+        } else if (reading::is_word(c)) {
+            last = 0;
+            if (reading::begins_with_prefix(text + i, size - i)) {
+                last = empty_symbol;
+                for (; i < size && reading::is_word(text[i]); ++i)
+                    last = (last ^ static_cast<unsigned char>(text[i])) * 16777619u;
+                bool is_known = false;
+                for (std::size_t k = own.first_reference; k < table.references.count; ++k)
+                    is_known = is_known || table.references.items[k] == last;
+                if (!is_known)
+                    table.references.add(last);
+            } else {
+                const std::size_t first = i;
+                while (i < size && reading::is_word(text[i]))
+                    ++i;
+                if (i - first == 4 && text[first] == 'm' && text[first + 1] == 'a' && text[first + 2] == 'i' &&
+                    text[first + 3] == 'n')
+                    last = main_symbol;
+            }
+        } else if (c == '/' && i + 1 < size && text[i + 1] == '/') {
+            while (i < size && text[i] != '\n')
+                ++i;
+        } else {
+            if (depth == 0 && !is_named && last != 0 &&
+                (c == '(' || c == '{' || c == '=' || c == '[' || c == ';')) {
+                own.name = last;
+                is_named = true;
+                is_function = c == '(';
+            }
+            depth += c == '(' || c == '{' ? 1 : c == ')' || c == '}' ? -1 : 0;
+            ++i;
+            if (depth != 0 || !(c == ';' || (c == '}' && is_function)))
+                continue;
+            if (!is_named)
+                continue;
+            while (i < size && text[i] != '\n')
+                ++i;
+            own.end = static_cast<std::uint16_t>(i < size ? i + 1 : size);
+            own.references = static_cast<std::uint16_t>(table.references.count - own.first_reference);
+            table.definitions.add(own);
+            own = {.begin = own.end,
+                   .line = static_cast<std::uint16_t>(line + 1),
+                   .first_reference = static_cast<std::uint16_t>(table.references.count)};
+            is_named = false;
+            last = 0;
+        }
+    }
+    return table;
+}
+
+/// The symbols of a file, read once for all programs.
+template <const glsl_file* File>
+inline constexpr symbol_table symbols_of = read_symbols(*File);
+
+}

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace crease {
+
+/// How large an image is: the resolution of the picture divided by `divisor`, rounded up, on each axis; with
+/// the guard band around it where it is `guarded`. Or of a fixed size.
+struct extent {
+    unsigned divisor = 1;
+    bool guarded = false;
+    unsigned fixed_width = 0, fixed_height = 0; ///< texels; 0: follows the picture
+
+    constexpr unsigned width_of(unsigned picture_width, unsigned guard = 0) const {
+        return fixed_width ? fixed_width : of(picture_width, guard);
+    }
+    constexpr unsigned height_of(unsigned picture_height, unsigned guard = 0) const {
+        return fixed_height ? fixed_height : of(picture_height, guard);
+    }
+    constexpr bool operator==(const extent&) const = default;
+
+private:
+    constexpr unsigned of(unsigned texels, unsigned guard) const {
+        return (texels + divisor - 1) / divisor + (guarded ? 2 * guard : 0);
+    }
+};
+
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+
+namespace crease {
+
+/// A list of at most `Capacity` items in place, so that composing needs no allocation. What does not fit is
+/// left out, and `cut` says so.
+template <class Item, std::size_t Capacity>
+struct fixed_list {
+    Item items[Capacity]{};
+    std::size_t count = 0;
+    bool cut = false;
+
+    constexpr void add(const Item& item) {
+        if (count == Capacity)
+            cut = true;
+        else
+            items[count++] = item;
+    }
+    constexpr std::size_t size() const { return count; }
+    constexpr bool full() const { return count == Capacity; }
+    constexpr const Item* begin() const { return items; }
+    constexpr const Item* end() const { return items + count; }
+    constexpr const Item& operator[](std::size_t i) const { return items[i]; }
+    constexpr Item& operator[](std::size_t i) { return items[i]; }
+    constexpr const Item* data() const { return items; }
+};
+
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+namespace crease {
+
+/// Texel formats, named as in Vulkan.
+enum class format : unsigned char {
+    none,
+    r8_unorm,
+    rgba8_unorm,
+    r32_uint,
+    rg32_uint,
+    r32_float,
+    rg32_float,
+    rgba16_float,
+    rgba32_float,
+    d32_float
+};
+
+/// What GLSL and a device must know of a format.
+struct format_facts {
+    std::string_view name;
+    std::string_view glsl;      ///< in the layout of a storage image; empty where there are none
+    bool whole_numbers = false; ///< texels are unsigned integers
+    bool extended = false;      ///< storing needs shaderStorageImageExtendedFormats
+};
+
+inline constexpr format_facts facts_of_formats[] = {
+    {"none", ""},
+    {"r8_unorm", "r8", false, true},
+    {"rgba8_unorm", "rgba8"},
+    {"r32_uint", "r32ui", true},
+    {"rg32_uint", "rg32ui", true, true},
+    {"r32_float", "r32f"},
+    {"rg32_float", "rg32f", false, true},
+    {"rgba16_float", "rgba16f"},
+    {"rgba32_float", "rgba32f"},
+    {"d32_float", ""},
+};
+
+constexpr const format_facts& facts_of(format f) {
+    return facts_of_formats[static_cast<unsigned>(f)];
+}
+
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/parts/depth/layers.hpp>
+
+namespace crease {
+
+inline constexpr glsl_file all_layers_glsl{
+    "traversal/all_layers.glsl",
+#include <crease/traversal/all_layers.glsl>
+};
+
+/// Looks at nothing but the layers of the depth source, whichever camera's they are.
+CREASE_TRAIT(any_view, layer_traversal,
+             "the second view needs a layer traversal that looks at no depth image, as there is none of the "
+             "second camera");
+
+/// Layer traversal: all layers of every tap, combined by the estimator. The default.
+struct all_layers {
+    using needs = traits<depth_layers>;
+    static constexpr const glsl_file* files[] = {&all_layers_glsl};
+    static constexpr part description{
+        .kind = role::layer_traversal,
+        .name = "all_layers",
+        .summary = "looks at all layers of every tap",
+        .source = "stochastic-depth-ao 2020, 6.2",
+        .files = files,
+        .needs = needs::list,
+        .offers = traits<any_view>::list,
+    };
+};
+
+}

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT-0
+#ifdef __cplusplus
+__LINE__, R"glsl("
+#endif
+
+// Of two contributions of a tap the greater one: stochastic-depth-ao 6.2, a-buffer-ssao III A.
+crease_contribution crease_combine(crease_contribution a, crease_contribution b) {
+    return b.occlusion > a.occlusion ? b : a;
+}
+#ifdef __cplusplus
+")glsl"
+#endif

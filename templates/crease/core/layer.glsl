@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT-0
+#ifdef __cplusplus
+__LINE__, R"glsl("
+#endif
+
+// A surface at a texel.
+struct crease_layer {
+    vec3 position; // view space
+    float texels;  // that it stands for: 1, or as many of an area as it holds
+};
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT-0
+#ifdef __cplusplus
+__LINE__, R"glsl("
+#endif
+
+// Whether no layer behind the front one of a tap can matter.
+bool crease_skip_behind(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer front) {
+    return false;
+}
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT-0
+#ifdef __cplusplus
+__LINE__, R"glsl("
+#endif
+
+// The workgroup's place: in columns that are so many wide, as a texel has left the cache when a row of a large picture
+// comes to it again. Quotients are of floats, as many devices have none of whole numbers.
+uvec2 crease_workgroup() {
+    const float width = float(crease_workgroup_columns);
+    vec2 groups = vec2(uvec2(crease_size(crease_divisor) - 1) / gl_WorkGroupSize.xy + 1u);
+    float index = float(gl_WorkGroupID.y) * groups.x + float(gl_WorkGroupID.x);
+    float column = floor((index + 0.5) / (width * groups.y)), within = index - column * width * groups.y;
+    float here = min(width, groups.x - column * width), row = floor((within + 0.5) / here);
+    return uvec2(column * width + within - row * here, row);
+}
+
+ivec2 crease_pixel() { return ivec2(crease_workgroup() * gl_WorkGroupSize.xy + gl_LocalInvocationID.xy); }
+#ifdef __cplusplus
+")glsl"
+#endif
