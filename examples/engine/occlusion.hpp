@@ -9,8 +9,8 @@
 #include <span>
 #include <stdexcept>
 
-/// What the engine adds to its renderer to run an effect of crease: compute passes over texels and geometry passes
-/// without attachments, without buffers and history.
+/// What the engine adds to its renderer to run an effect of crease: compute passes over texels and geometry
+/// passes without attachments, without buffers and history.
 class occlusion {
 public:
     /// @param depth  the engine's own, as large as the picture

@@ -118,7 +118,8 @@ TEST_CASE("emit: a geometry pass is functions for the host's shader in every for
         CHECK(geometry == 1);
     }
     const temporary_folder folder;
-    CHECK(emitted(layered + " --format header --name shaders", folder) == std::set<std::string>{"shaders.hpp"});
+    CHECK(emitted(layered + " --format header --name shaders", folder) ==
+          std::set<std::string>{"shaders.hpp"});
     const std::string header = content_of(folder / "out/shaders.hpp");
     CHECK(header.find("constexpr char capture_layers[] =\n    \"// ") != std::string::npos);
     CHECK(header.find("constexpr std::uint32_t visibility[] = {\n    0x07230203, ") != std::string::npos);

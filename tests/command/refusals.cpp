@@ -49,7 +49,8 @@ TEST_CASE("refuses: settings") {
     expect_refusal("--set bias=x: it must read name=number", render + " --set bias=x");
     expect_refusal("--set bias: it must read name=number", render + " --set bias");
     expect_refusal("strength=-1 is out of its range, 0 to 16", render + " --set strength=-1");
-    expect_refusal("no part of this recipe has the setting 'hbao_plus.bias'", render + " --set hbao_plus.bias=0");
+    expect_refusal("no part of this recipe has the setting 'hbao_plus.bias'",
+                   render + " --set hbao_plus.bias=0");
     expect_refusal("hbao.bias=2 is out of its range, 0 to 1.5", render + " --set hbao.bias=2");
     expect_refusal("bias=2 is out of its range, 0 to 1.5", render + " --set bias=2");
     expect_refusal("strength=nan is out of its range, 0 to 16", render + " --set strength=nan");

@@ -91,7 +91,8 @@ void print_part(const part& p) {
     if (!p.source.empty())
         fmt::print("  {:<22}   from {}\n", "", p.source);
     for (const number& n : p.numbers)
-        fmt::print("  {:<22}   :{} {} to {}, else {}: {}\n", "", n.name, n.least, n.most, n.fallback, n.meaning);
+        fmt::print("  {:<22}   :{} {} to {}, else {}: {}\n", "", n.name, n.least, n.most, n.fallback,
+                   n.meaning);
     for (const setting& s : p.settings)
         fmt::print("  {:<22}   --set {}{}{}={} ({} to {}{}): {}\n", "", s.shared ? "" : p.name,
                    s.shared ? "" : ".", s.name, s.fallback, s.least, s.most,
