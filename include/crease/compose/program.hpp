@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <crease/compose/interface_text.hpp>
 #include <crease/compose/linker.hpp>
 #include <crease/compose/plan.hpp>
-#include <crease/effect/fixed_text.hpp>
 #include <crease/effect/version.hpp>
 #include <crease/parts/reads/image_load.hpp>
 #include <crease/parts/stage/fragment.hpp>
@@ -13,9 +13,6 @@ namespace crease {
 using file_list = fixed_list<const glsl_file*, 64>;
 using binding_list = fixed_list<binding, 16>;
 using constant_list = fixed_list<constant, 32>;
-
-/// What stands before the definitions of a program: version, constants, resources and settings.
-using interface_text = fixed_text<6000>;
 
 /// A program before its pieces are joined. Bindings name resources of the plan.
 struct program {
@@ -79,7 +76,7 @@ public:
         write_accessors();
         write_results();
         out_.definitions = found_.order();
-        out_.cut = found_.is_cut() || out_.interface.cut || out_.bindings.cut || out_.constants.cut;
+        out_.cut = found_.is_cut() || out_.interface.is_cut() || out_.bindings.cut || out_.constants.cut;
         return out_;
     }
 
