@@ -32,11 +32,7 @@ constexpr file_list files_of(const plan& p, const planned_pass& pass) {
     case step_kind::texels: files.add(&build_glsl); break;
     case step_kind::rows: files.add(&build_rows_glsl); break;
     case step_kind::columns: files.add(&build_columns_glsl); break;
-    case step_kind::result:
-        if (pass.what->columns > 0 && pass.stage == stage_kind::compute)
-            files.add(&columns_glsl);
-        break;
-    case step_kind::geometry: break;
+    default: break;
     }
     for (const choice& c : p.parts)
         if (c.what->kind != role::filter && (c.what->kind != role::stage || pass.what->kind == step_kind::result))
@@ -257,8 +253,6 @@ private:
         }
         if (uses("divisor"))
             write_constant("", "divisor", static_cast<int>(pass_.size.divisor));
-        if (uses("workgroup_columns"))
-            write_constant("workgroup", "columns", pass_.what->columns);
         if (uses("input_divisor"))
             write_constant("", "input_divisor", static_cast<int>(pass_.input_divisor));
         // A program for all cameras begins with the first and turns to the others itself.
