@@ -40,7 +40,7 @@ pictures render(renderer& gpu) {
     const occlusion::bound bindings =
         with_layers.bind(captures.bindings, VK_SHADER_STAGE_FRAGMENT_BIT, {&geometry_pass::camera, 1});
     geometry_pass seen(gpu, &depth, shaders::captures_nothing, bindings);
-    geometry_pass captured(gpu, nullptr, layered::source<0>, bindings);
+    geometry_pass captured(gpu, nullptr, layered::source<0>(), bindings);
 
     gpu.run([&](VkCommandBuffer commands) {
         seen.record(commands, projection);

@@ -59,7 +59,7 @@ TEST_CASE("render: a plane seen from above is open, flat and at one depth") {
     CHECK(meta.at("radius") == 2);
     const bool on_processor = meta.at("device").get<std::string>().find("llvmpipe") != std::string::npos;
     CHECK(meta.at("recipe") == std::string("directions:8x4x2/single_layer/hbao/bilateral:3") +
-                                   (on_processor ? "/image_load" : ""));
+                                   (on_processor ? "/image_load/compute_columns:16x16x16" : ""));
     CHECK(meta.at("settings").at("hbao.bias").get<float>() == 0.25f);
     CHECK(meta.at("settings").at("strength").get<float>() == 1.15f);
     CHECK(meta.at("frame") == 3);

@@ -19,8 +19,8 @@ static_assert(!recipe("directions/stochastic_layers/hbao/anisotropic_threshold/s
 }
 
 TEST_CASE("anisotropic_threshold takes the footprint along each axis") {
-    CHECK(contains(layered::source<0>, "log2(0.70710678 / max(width, vec3(greatest / 64.0)))"));
-    CHECK(contains(layered::source<0>, "uint crease_kept_samples(vec3 anchor)"));
-    CHECK_FALSE(contains(layered::source<0>, "length(dFdx(anchor))"));
-    CHECK_FALSE(contains(layered::source<1>, "crease_kept_samples")); // the capture alone asks for it
+    CHECK(contains(layered::source<0>(), "log2(0.70710678 / max(width, vec3(greatest / 64.0)))"));
+    CHECK(contains(layered::source<0>(), "uint crease_kept_samples(vec3 anchor)"));
+    CHECK_FALSE(contains(layered::source<0>(), "length(dFdx(anchor))"));
+    CHECK_FALSE(contains(layered::source<1>(), "crease_kept_samples")); // the capture alone asks for it
 }

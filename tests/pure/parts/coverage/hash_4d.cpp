@@ -18,8 +18,8 @@ static_assert(!recipe("directions/stochastic_layers/hbao/hash_4d/stratified"));
 }
 
 TEST_CASE("hash_4d nests the hash of a plane") {
-    CHECK(contains(layered::source<0>, "fract(1.0e4 * sin(17.0 * v.x + 0.1 * v.y)"));
-    CHECK(contains(layered::source<0>, "uint crease_kept_samples(vec3 anchor)"));
-    CHECK_FALSE(contains(layered::source<0>, "crease_fragment_noise"));
-    CHECK_FALSE(contains(layered::source<1>, "crease_kept_samples")); // the capture alone asks for it
+    CHECK(contains(layered::source<0>(), "fract(1.0e4 * sin(17.0 * v.x + 0.1 * v.y)"));
+    CHECK(contains(layered::source<0>(), "uint crease_kept_samples(vec3 anchor)"));
+    CHECK_FALSE(contains(layered::source<0>(), "crease_fragment_noise"));
+    CHECK_FALSE(contains(layered::source<1>(), "crease_kept_samples")); // the capture alone asks for it
 }

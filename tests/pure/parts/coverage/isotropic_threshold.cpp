@@ -19,8 +19,8 @@ static_assert(!recipe("directions/stochastic_layers/hbao/isotropic_threshold/str
 }
 
 TEST_CASE("isotropic_threshold takes the longer side of a texel's footprint") {
-    CHECK(contains(layered::source<0>, "max(length(dFdx(anchor)), length(dFdy(anchor)))"));
-    CHECK(contains(layered::source<0>, "uint crease_kept_samples(vec3 anchor)"));
-    CHECK_FALSE(contains(layered::source<0>, "0.70710678"));
-    CHECK_FALSE(contains(layered::source<1>, "crease_kept_samples")); // the capture alone asks for it
+    CHECK(contains(layered::source<0>(), "max(length(dFdx(anchor)), length(dFdy(anchor)))"));
+    CHECK(contains(layered::source<0>(), "uint crease_kept_samples(vec3 anchor)"));
+    CHECK_FALSE(contains(layered::source<0>(), "0.70710678"));
+    CHECK_FALSE(contains(layered::source<1>(), "crease_kept_samples")); // the capture alone asks for it
 }

@@ -18,8 +18,8 @@ static_assert(!recipe("directions/stochastic_layers/hbao/simple_hash/stratified"
 }
 
 TEST_CASE("simple_hash tosses a coin for each sample by whole numbers") {
-    CHECK(contains(layered::source<0>, "salt * 0x85ebca6bu"));
-    CHECK(contains(layered::source<0>, "uint crease_kept_samples(vec3 anchor)"));
-    CHECK_FALSE(contains(layered::source<0>, "crease_hash_4d"));
-    CHECK_FALSE(contains(layered::source<1>, "crease_kept_samples")); // the capture alone asks for it
+    CHECK(contains(layered::source<0>(), "salt * 0x85ebca6bu"));
+    CHECK(contains(layered::source<0>(), "uint crease_kept_samples(vec3 anchor)"));
+    CHECK_FALSE(contains(layered::source<0>(), "crease_hash_4d"));
+    CHECK_FALSE(contains(layered::source<1>(), "crease_kept_samples")); // the capture alone asks for it
 }

@@ -18,7 +18,7 @@ static_assert(!recipe("directions/single_layer/hbao/stratified"));
 }
 
 TEST_CASE("stratified is the default, and looks its subsets up in a table that is filled once") {
-    CHECK(contains(by_default::source<0>, "crease_stratified_subset"));
+    CHECK(contains(by_default::source<0>(), "crease_stratified_subset"));
     const auto r = std::ranges::find(named::resources, "subsets", &resource::name);
     REQUIRE(r != named::resources.end());
     CHECK(r->life == lifetime::constant);
@@ -33,5 +33,5 @@ TEST_CASE("more than 16 samples are drawn in two halves by the table of 16") {
     const auto r = std::ranges::find(many::resources, "subsets", &resource::name);
     REQUIRE(r != many::resources.end());
     CHECK((r->fill == &fill_subsets<16>));
-    CHECK(contains(many::source<0>, "crease_stratified_half(16, 1u) << 16u"));
+    CHECK(contains(many::source<0>(), "crease_stratified_half(16, 1u) << 16u"));
 }

@@ -22,7 +22,7 @@ TEST_CASE("each level of a pyramid is a pass of its own, and those above the las
     REQUIRE(three::passes.size() == std::size(names));
     for (std::size_t i = 0; i < std::size(names); ++i)
         CHECK(three::passes[i].name == names[i]);
-    CHECK(contains(three::source<4>, "const int crease_areas_level = 2;"));
+    CHECK(contains(three::source<4>(), "const int crease_areas_level = 2;"));
     CHECK(three::passes[4].group_width() == areas::wide);
     CHECK(three::passes[4].group_height() == areas::flat);
 }

@@ -21,6 +21,6 @@ TEST_CASE("what horizons leave open stands only where an output asks for it") {
     using namespace crease;
     using plain = effect<directions<4, 4>, single_layer, hbao>;
     using bent = effect<directions<4, 4>, single_layer, hbao, bent_cone>;
-    CHECK_FALSE(contains(plain::source<0>, "crease_horizon_angle"));
-    CHECK(contains(bent::source<0>, "crease_horizon_angle"));
+    CHECK_FALSE(contains(plain::source<0>(), "crease_horizon_angle"));
+    CHECK(contains(bent::source<0>(), "crease_horizon_angle"));
 }

@@ -16,8 +16,8 @@ using by_points = effect<sphere_points<8>, single_layer, point_volume>;
 
 TEST_CASE("both estimators of volume count what is filled from a plane, and have a falloff of their own") {
     constexpr std::string_view share = "return whole > 0.0 ? max(filled / whole, 0.0) : 0.0;";
-    CHECK(contains(by_lines::source<0>, share));
-    CHECK(contains(by_points::source<0>, share));
+    CHECK(contains(by_lines::source<0>(), share));
+    CHECK(contains(by_points::source<0>(), share));
     CHECK(get(by_lines::defaults, by_lines::settings, "line_volume.falloff") == 1);
     CHECK(get(by_points::defaults, by_points::settings, "point_volume.falloff") == 1);
 }

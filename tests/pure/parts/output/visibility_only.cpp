@@ -21,8 +21,8 @@ TEST_CASE("visibility_only is the default: one image, and between passes a depth
         outputs += r.life == lifetime::output;
     CHECK(outputs == 1);
     CHECK(by_default::resources.back().name == "visibility");
-    CHECK(contains(by_default::source<0>, "result.visibility * 255.0 + 0.5")); // the low byte of the depth
-    CHECK(contains(by_default::source<2>,
+    CHECK(contains(by_default::source<0>(), "result.visibility * 255.0 + 0.5")); // the low byte of the depth
+    CHECK(contains(by_default::source<2>(),
                    "imageStore(crease_output, pixel, crease_encode_visibility(result));"));
-    CHECK(contains(by_default::source<0>, "crease_result(1.0, crease_background)")); // background is open
+    CHECK(contains(by_default::source<0>(), "crease_result(1.0, crease_background)")); // background is open
 }

@@ -27,13 +27,13 @@ TEST_CASE("image_load makes storage images of what passes hand on, and of nothin
                 CHECK(b.how == access::sample);
         }
     CHECK(inputs == 2);
-    CHECK(contains(filtered::source<1>, "imageLoad(crease_input, texel)"));
-    CHECK(contains(filtered::source<1>, ") uniform readonly uimage2D crease_input;"));
-    CHECK_FALSE(contains(filtered::source<1>, "texelFetch(crease_input"));
+    CHECK(contains(filtered::source<1>(), "imageLoad(crease_input, texel)"));
+    CHECK(contains(filtered::source<1>(), ") uniform readonly uimage2D crease_input;"));
+    CHECK_FALSE(contains(filtered::source<1>(), "texelFetch(crease_input"));
 }
 
 TEST_CASE("image_load leaves multisampled images to be fetched, as they are no storage images") {
     using layered = effect<directions<4, 4>, stochastic_layers<4>, hbao, multisampled<>, image_load>;
-    CHECK(contains(layered::source<1>, "texelFetch(crease_captured_layers, texel, sample_index)"));
-    CHECK(contains(layered::source<2>, "imageLoad(crease_packed_layers"));
+    CHECK(contains(layered::source<1>(), "texelFetch(crease_captured_layers, texel, sample_index)"));
+    CHECK(contains(layered::source<2>(), "imageLoad(crease_packed_layers"));
 }

@@ -24,7 +24,7 @@ TEST_CASE("texel_fetch is the default: what a pass writes the next fetches from 
             CHECK(b.how == access::sample);
         }
     CHECK(found);
-    CHECK(contains(filtered::source<1>, "texelFetch(crease_input, texel, 0)"));
-    CHECK_FALSE(contains(filtered::source<1>, "imageLoad"));
+    CHECK(contains(filtered::source<1>(), "texelFetch(crease_input, texel, 0)"));
+    CHECK_FALSE(contains(filtered::source<1>(), "imageLoad"));
     CHECK(effect<directions<4, 4>, single_layer, hbao, bilateral<>, texel_fetch>::passes.size() == 3);
 }

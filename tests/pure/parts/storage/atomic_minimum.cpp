@@ -34,9 +34,9 @@ TEST_CASE("atomic_minimum clears an image of as many layers as there are samples
     CHECK(r->samples == 1);
     CHECK(r->cleared);
     CHECK(r->clear == ~0u); // a NaN, greater than all bits of depths
-    CHECK(contains(layered::source<0>, "void crease_capture(vec3 anchor)"));
-    CHECK_FALSE(contains(layered::source<0>, "void main()"));
-    CHECK(contains(layered::source<0>, "imageAtomicMin(crease_captured_layers, ivec3(gl_FragCoord.xy"));
+    CHECK(contains(layered::source<0>(), "void crease_capture(vec3 anchor)"));
+    CHECK_FALSE(contains(layered::source<0>(), "void main()"));
+    CHECK(contains(layered::source<0>(), "imageAtomicMin(crease_captured_layers, ivec3(gl_FragCoord.xy"));
 }
 
 TEST_CASE("the numbers of atomic_minimum place what the host's shader binds") {

@@ -31,10 +31,10 @@ TEST_CASE("centred_samples writes no depth, as all samples lie at the centre") {
     CHECK(r->texels == format::d32_float);
     CHECK(r->samples == 8); // the next power of 2
     CHECK(r->centred);
-    CHECK(contains(layered::source<0>, "void crease_capture(vec3 anchor)"));
-    CHECK_FALSE(contains(layered::source<0>, "void main()"));
-    CHECK_FALSE(contains(layered::source<0>, "gl_FragDepth"));
-    CHECK(contains(layered::source<0>, "gl_SampleMask[0] = int(kept);"));
+    CHECK(contains(layered::source<0>(), "void crease_capture(vec3 anchor)"));
+    CHECK_FALSE(contains(layered::source<0>(), "void main()"));
+    CHECK_FALSE(contains(layered::source<0>(), "gl_FragDepth"));
+    CHECK(contains(layered::source<0>(), "gl_SampleMask[0] = int(kept);"));
 }
 
 TEST_CASE("the numbers of centred_samples place what the host's shader binds") {

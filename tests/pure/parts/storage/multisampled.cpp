@@ -33,10 +33,10 @@ TEST_CASE("multisampled draws to as many samples as it needs, each with the dept
     CHECK(r->samples == 8); // the next power of 2
     CHECK_FALSE(r->centred);
     CHECK_FALSE(r->cleared); // the render pass clears it
-    CHECK(contains(layered::source<0>, "void crease_capture(vec3 anchor)"));
-    CHECK_FALSE(contains(layered::source<0>, "void main()"));
-    CHECK(contains(layered::source<0>, "gl_FragDepth = gl_FragCoord.z;"));
-    CHECK(contains(layered::source<0>, "gl_SampleMask[0] = int(kept);"));
+    CHECK(contains(layered::source<0>(), "void crease_capture(vec3 anchor)"));
+    CHECK_FALSE(contains(layered::source<0>(), "void main()"));
+    CHECK(contains(layered::source<0>(), "gl_FragDepth = gl_FragCoord.z;"));
+    CHECK(contains(layered::source<0>(), "gl_SampleMask[0] = int(kept);"));
 }
 
 TEST_CASE("the numbers of multisampled place what the host's shader binds") {

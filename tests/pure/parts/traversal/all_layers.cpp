@@ -17,7 +17,7 @@ static_assert(!recipe("sample_box/summed_area/mean_height/all_layers"));
 }
 
 TEST_CASE("all_layers is the default, and keeps what lies at the depth image too") {
-    CHECK(contains(by_default::source<2>, "crease_combine_first_layers"));
-    CHECK(contains(by_default::source<1>, "return depth >= front - 1e-4 * front;"));
+    CHECK(contains(by_default::source<2>(), "crease_combine_first_layers"));
+    CHECK(contains(by_default::source<1>(), "return depth >= front - 1e-4 * front;"));
     CHECK(by_default::passes.size() == 3); // captured, packed, looked at
 }

@@ -17,7 +17,7 @@ static_assert(!recipe("directions/single_layer/hbao/area_layers"));
 }
 
 TEST_CASE("area_layers is the default of areas, and leaves out what rounding leaves of nothing") {
-    const std::string_view whole = by_default::source<by_default::passes.size() - 1>;
+    const std::string_view whole = by_default::source<by_default::passes.size() - 1>();
     CHECK(contains(whole, "if (layer.texels >= 0.01)"));
     CHECK(contains(whole, "crease_fetch_area(tap.area)"));
     CHECK_FALSE(contains(whole, "crease_combine("));

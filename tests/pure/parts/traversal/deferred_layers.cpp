@@ -20,9 +20,9 @@ static_assert(
 }
 
 TEST_CASE("deferred_layers looks behind as many taps of four as it is told") {
-    CHECK(contains(deferred::source<2>, "const int crease_deferred_layers_looks = 2;"));
-    CHECK(contains(deferred::source<2>, "const int crease_deferred_layers_angle = 0;"));
-    CHECK(contains(deferred::source<2>, "crease_add_behind(marches[at], looks[i].front, all);"));
-    CHECK(contains(deferred::source<1>, "return depth > front + 1e-4 * front;"));
-    CHECK_FALSE(contains(deferred::source<2>, "void crease_traverse(")); // its loop is its own
+    CHECK(contains(deferred::source<2>(), "const int crease_deferred_layers_looks = 2;"));
+    CHECK(contains(deferred::source<2>(), "const int crease_deferred_layers_angle = 0;"));
+    CHECK(contains(deferred::source<2>(), "crease_add_behind(marches[at], looks[i].front, all);"));
+    CHECK(contains(deferred::source<1>(), "return depth > front + 1e-4 * front;"));
+    CHECK_FALSE(contains(deferred::source<2>(), "void crease_traverse(")); // its loop is its own
 }

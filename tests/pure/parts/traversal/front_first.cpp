@@ -17,8 +17,8 @@ static_assert(!recipe("directions/stochastic_layers/hbao_plus/front_first/second
 }
 
 TEST_CASE("front_first goes with any estimator, and keeps only what lies behind the front") {
-    CHECK(contains(skips::source<1>, "return depth > front + 1e-4 * front;"));
-    CHECK(contains(skips::source<2>, "const int crease_front_first_angle = 1;"));
-    CHECK(contains(skips::source<2>, "return !(rise > march.rise);")); // what the estimator skips
-    CHECK(contains(never_skips::source<2>, "const int crease_front_first_angle = 0;"));
+    CHECK(contains(skips::source<1>(), "return depth > front + 1e-4 * front;"));
+    CHECK(contains(skips::source<2>(), "const int crease_front_first_angle = 1;"));
+    CHECK(contains(skips::source<2>(), "return !(rise > march.rise);")); // what the estimator skips
+    CHECK(contains(never_skips::source<2>(), "const int crease_front_first_angle = 0;"));
 }

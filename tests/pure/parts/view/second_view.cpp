@@ -31,9 +31,9 @@ TEST_CASE("second_view captures and packs for each camera, and looks with both i
         CHECK(two::passes[i].name == names[i]);
     }
     CHECK(two::passes[1].size.divisor == 3);
-    CHECK(contains(two::source<3>, "const int crease_view_index = 1;"));
-    CHECK(contains(two::source<4>, "mat4 from_first[1];"));
-    CHECK(contains(two::source<4>, "int crease_view_index = 0;")); // which it changes
-    CHECK_FALSE(contains(two::source<4>, "const int crease_view_index"));
-    CHECK_FALSE(contains(one::source<2>, "from_first"));
+    CHECK(contains(two::source<3>(), "const int crease_view_index = 1;"));
+    CHECK(contains(two::source<4>(), "mat4 from_first[1];"));
+    CHECK(contains(two::source<4>(), "int crease_view_index = 0;")); // which it changes
+    CHECK_FALSE(contains(two::source<4>(), "const int crease_view_index"));
+    CHECK_FALSE(contains(one::source<2>(), "from_first"));
 }
