@@ -302,8 +302,7 @@ std::vector<baseline> time_baselines(vulkan::device& device, const gbuffer& inpu
     return all;
 }
 
-/// What `supported` adds to recipes that name none of its kind: how passes read what passes write, and what
-/// keeps layers.
+/// What `supported` adds to the recipes, each once.
 std::string added_parts(const vulkan::device& device, const std::vector<candidate>& candidates) {
     std::string added;
     for (const candidate& each : candidates) {
