@@ -55,8 +55,7 @@ float crease_gtao_rise(crease_march march, crease_receiver receiver, vec3 to_lay
 // A layer far away lowers its horizon to the tangent plane.
 crease_contribution crease_weigh(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer layer) {
     vec3 to_layer = layer.position - receiver.position;
-    float stretch = crease_gtao_thin_occluder * dot(to_layer, receiver.to_eye);
-    float radii = length(to_layer + stretch * receiver.to_eye) / max(crease_radius, 1e-20);
+    float radii = length(to_layer) / max(crease_radius, 1e-20);
     float nearness = clamp((1.0 - radii) / max(crease_gtao_falloff, 1e-6), 0.0, 1.0);
     return crease_contribution(tap.inside ? nearness * crease_gtao_rise(march, receiver, to_layer) : 0.0);
 }

@@ -16,8 +16,6 @@ struct gtao {
     using needs = crease::traits<crease::ordered_taps, crease::depth_layers>;
     static constexpr crease::setting reads[] = {
         {"falloff", 0.615f, 0, 1, "outer share of the radius over which a horizon falls to the tangent plane"},
-        {"thin_occluder", 0, 0, 4,
-         "by how much farther, beside its distance, a layer counts as it stands out to the eye"},
         crease::strength_setting(1),
         crease::exponent_setting(1),
     };
