@@ -3,10 +3,11 @@
 __LINE__, R"glsl("
 #endif
 
-// Ground-truth ambient occlusion: Jimenez et al. 2016. A direction marches through half a slice, in which angles count
-// from the way to the eye. With a and b the normal along the ways to the eye and of the half slice, that is the length L
-// and the angle n of the projected normal as L cos n and L sin n, the paper's L (cos n - cos(2 h - n) + 2 h sin n) / 4 of a
-// horizon h is (a sin^2 h + b (h - sin h cos h)) / 2. Each half is whole in itself, so a direction needs no opposite.
+// Ground-truth ambient occlusion: Jimenez et al. 2016. Angles in a slice count from the way to the eye. Of a side of it, along
+// which a direction marches, the paper integrates, with the horizon h and the projected normal's length L and angle n,
+//     L (cos n - cos(2 h - n) + 2 h sin n) / 4 = (a sin^2 h + b (h - sin h cos h)) / 2,
+// where a = L cos n and b = L sin n are the normal along the way to the eye and along the side. Each side is integrated by
+// itself, so directions need no opposites; occlusion is the share that horizons hide of what is over the tangent plane.
 struct crease_estimate {
     float hidden;  // summed over the directions: of each what its horizon hides
     float whole;   // and what is over its tangent plane
@@ -18,7 +19,7 @@ struct crease_estimate {
 struct crease_march {
     float rise;    // of the horizon over the tangent plane: the difference of their cosines to the way to the eye
     vec2 normal;   // a and b
-    float tangent; // cosine between the tangent plane and the way to the eye
+    float tangent; // the cosine between the tangent plane and the way to the eye
 };
 
 struct crease_contribution {

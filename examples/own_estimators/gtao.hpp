@@ -15,7 +15,8 @@ inline constexpr crease::glsl_file gtao_glsl{
 struct gtao {
     using needs = crease::traits<crease::ordered_taps, crease::depth_layers>;
     static constexpr crease::setting reads[] = {
-        {"falloff", 0.615f, 0, 1, "outer share of the radius over which a horizon falls to the tangent plane"},
+        {"falloff", 0.615f, 0, 1,
+         "outer share of the radius over which a horizon falls to the tangent plane"},
         crease::strength_setting(1),
         crease::exponent_setting(1),
     };

@@ -10,8 +10,8 @@ inline constexpr crease::glsl_file visibility_bitmask_glsl{
 #include "visibility_bitmask.glsl"
 };
 
-/// Estimator: the sectors of half slices that layers of a thickness hide. Works with every sampler of taps along
-/// directions and every source of layers of depth. The defaults aim at the `hard` truth.
+/// Estimator: the sectors of half slices that layers of a thickness hide. Works with every sampler of taps
+/// along directions and every source of layers of depth. The defaults aim at the `hard` truth.
 struct visibility_bitmask {
     using needs = crease::traits<crease::ordered_taps, crease::depth_layers>;
     static constexpr crease::setting reads[] = {
@@ -19,7 +19,8 @@ struct visibility_bitmask {
         crease::strength_setting(1),
         crease::exponent_setting(1),
     };
-    static constexpr const crease::glsl_file* files[] = {&crease::open_horizon_glsl, &visibility_bitmask_glsl};
+    static constexpr const crease::glsl_file* files[] = {&crease::open_horizon_glsl,
+                                                         &visibility_bitmask_glsl};
     static constexpr crease::part description{
         .kind = crease::role::estimator,
         .name = "visibility_bitmask",
