@@ -3,8 +3,8 @@
 __LINE__, R"glsl("
 #endif
 
-// Ground-truth ambient occlusion: Jimenez et al. 2016. Angles in a slice count from the way to the eye. Of a side of it, along
-// which a direction marches, the paper integrates, with the horizon h and the projected normal's length L and angle n,
+// Ground-truth ambient occlusion: Jimenez et al. 2016. Angles in a slice count from the way to the eye. Of a side of it,
+// along which a direction marches, the paper integrates, with the horizon h and the projected normal's length L and angle n,
 //     L (cos n - cos(2 h - n) + 2 h sin n) / 4 = (a sin^2 h + b (h - sin h cos h)) / 2,
 // where a = L cos n and b = L sin n are the normal along the way to the eye and along the side. Each side is integrated by
 // itself, so directions need no opposites; occlusion is the share that horizons hide of what is over the tangent plane.
@@ -26,7 +26,9 @@ struct crease_contribution {
     float occlusion; // the rise
 };
 
-float crease_gtao_tangent(vec2 normal) { return -normal.y * inversesqrt(max(dot(normal, normal), 1e-12)); }
+float crease_gtao_tangent(vec2 normal) {
+    return clamp(-normal.y * inversesqrt(max(dot(normal, normal), 1e-12)), -1.0, 1.0); // in spite of rounding
+}
 
 // The integral up to the angle of this cosine.
 float crease_gtao_open(vec2 normal, float cosine) {

@@ -39,7 +39,7 @@ float crease_visibility_bitmask_measure(vec2 normal, float cosine) {
 }
 
 crease_visibility_bitmask_slice crease_visibility_bitmask_slice_of(vec2 normal) {
-    float tangent = -normal.y * inversesqrt(max(dot(normal, normal), 1e-12));
+    float tangent = clamp(-normal.y * inversesqrt(max(dot(normal, normal), 1e-12)), -1.0, 1.0); // in spite of rounding
     return crease_visibility_bitmask_slice(normal, tangent, crease_visibility_bitmask_measure(normal, tangent));
 }
 
