@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What programs for OpenGL make is what those for Vulkan make of the same depth.
 #include "host.hpp"
-#include "hosted_functions.hpp"
+#include "hosted_effect.hpp"
 #include "small_corner.hpp"
 
 #include <crease/vulkan/runner.hpp>
@@ -86,7 +86,7 @@ TEST_CASE("a host's compute shader around functions for OpenGL gives that pictur
                                    "sample_box/summed_area:2/mean_height/reconstructed_normals"}) {
         CAPTURE(text);
         const composition vulkan{recipe(std::string_view(text))};
-        const hosted_functions opengl(text + "/functions:0x1/opengl", functions_host);
+        const hosted_effect opengl(text + "/functions:0x1/opengl", functions_host);
         CHECK(small_corner::largest_difference(by_opengl(opengl.view(), "visibility"),
                                                by_vulkan(vulkan, "visibility")) <= small_corner::a_step);
     }

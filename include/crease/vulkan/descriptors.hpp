@@ -12,10 +12,10 @@
 namespace crease::vulkan::detail {
 
 constexpr VkDescriptorType descriptor_of(access how, resource_kind of) {
-    return how == access::uniform          ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
-           : of == resource_kind::buffer   ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
-           : how == access::sample ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
-                                   : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    return how == access::uniform        ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
+           : of == resource_kind::buffer ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
+           : how == access::sample       ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
+                                         : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 }
 
 /// How shaders use an image that is bound so; of an attachment the render target knows.
@@ -34,6 +34,11 @@ struct bound_resources {
     std::vector<const buffer*> buffers; ///< 0 is the block of parameters
 };
 
+/// What may write a storage buffer.
+inline constexpr VkPipelineStageFlags buffer_writers = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT |
+                                                       VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT |
+                                                       VK_PIPELINE_STAGE_TRANSFER_BIT;
+
 /// Records the barriers that a program needs before it runs in a stage.
 inline void prepare_for(VkCommandBuffer commands, std::span<const binding> of, const bound_resources& bound,
                         VkPipelineStageFlags stage) {
@@ -48,9 +53,7 @@ inline void prepare_for(VkCommandBuffer commands, std::span<const binding> of, c
     auto barrier = blank<VkMemoryBarrier>(VK_STRUCTURE_TYPE_MEMORY_BARRIER);
     barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT;
     barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT;
-    constexpr VkPipelineStageFlags writers = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT |
-                                             VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT;
-    vkCmdPipelineBarrier(commands, writers, stage, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+    vkCmdPipelineBarrier(commands, buffer_writers, stage, 0, 1, &barrier, 0, nullptr, 0, nullptr);
 }
 
 inline owned_sampler make_nearest_sampler(const device& on) {
@@ -122,7 +125,7 @@ public:
 private:
     VkDevice device_;
     std::vector<resource_kind> kinds_; ///< by resource
-    std::vector<binding> bindings_; ///< those that have a descriptor
+    std::vector<binding> bindings_;    ///< those that have a descriptor
     std::vector<owned_set_layout> layouts_;
     owned_pipeline_layout layout_;
     owned_descriptor_pool pool_;
