@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/effect/effect_view.hpp>
+#include <crease/pass.hpp>
 
 #include <string>
 #include <string_view>
@@ -26,11 +26,19 @@ struct crease_view_parameters {
 };
 
 layout(std140, set = 0, binding = 0) uniform crease_parameters {
-    crease_view_parameters views[1];
-    float radius;
-    uint frame;
-    float spread_bias;
-} crease_given;
+    crease_view_parameters crease_views[2];
+    mat4 crease_second_from_first;
+    float crease_radius;
+    float crease_bias;
+    float crease_threshold;
+    float crease_strength;
+    float crease_exponent;
+    float crease_sharpness;
+    uint crease_frame;
+    float crease_opacity;
+    float crease_front_reach;
+    float crease_falloff;
+};
 )";
 
 inline constexpr piece version{"version", "#version 450\n"};
@@ -48,7 +56,7 @@ void main() {
     if (any(greaterThanEqual(at, imageSize(crease_output))))
         return;
     float depth = texelFetch(crease_depth, 2 * at, 0).r;
-    imageStore(crease_output, at, vec4(depth * crease_given.radius * float(crease_scale_gain)));
+    imageStore(crease_output, at, vec4(depth * crease_radius * float(crease_scale_gain)));
 }
 )"};
 inline constexpr piece scale_pieces[] = {version, block, scale_interface, scale_body};
@@ -69,7 +77,7 @@ inline constexpr piece vertex_pieces[] = {version, triangle};
 inline constexpr piece spread_body{"spread.glsl", R"(
 layout(set = 0, binding = 1) uniform sampler2D crease_input;
 layout(location = 0) out float crease_output;
-void main() { crease_output = texelFetch(crease_input, ivec2(gl_FragCoord.xy) / 2, 0).r + crease_given.spread_bias; }
+void main() { crease_output = texelFetch(crease_input, ivec2(gl_FragCoord.xy) / 2, 0).r + crease_bias; }
 )"};
 inline constexpr piece spread_pieces[] = {version, block, spread_body};
 inline constexpr binding spread_bindings[] = {
@@ -79,7 +87,7 @@ inline constexpr binding spread_bindings[] = {
 };
 
 inline constexpr resource resources[] = {
-    {.name = "parameters", .kind = resource_kind::block},
+    {.name = "parameters"},
     {.name = "depth", .texels = format::r32_float, .life = lifetime::input},
     {.name = "scaled", .texels = format::r32_float, .life = lifetime::transient, .size = {2}},
     {.name = "visibility", .texels = format::r8_unorm, .life = lifetime::output},
@@ -101,20 +109,7 @@ inline constexpr pass spread{.name = "spread",
                              .size = {1}};
 inline constexpr pass passes[] = {scale, spread};
 
-/// What `spread` adds.
-inline constexpr effect_setting settings[] = {{.part = "spread",
-                                               .name = "bias",
-                                               .fallback = 0,
-                                               .least = 0,
-                                               .most = 1,
-                                               .meaning = "added",
-                                               .shared = false}};
-
-inline constexpr effect_view effect{.passes = passes,
-                                    .resources = resources,
-                                    .settings = settings,
-                                    .views = 1,
-                                    .features = {},
-                                    .defaults = {}};
+inline constexpr effect_view effect{
+    .captures = {}, .passes = passes, .resources = resources, .features = {}, .defaults = {}};
 
 }

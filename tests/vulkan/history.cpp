@@ -64,7 +64,7 @@ constexpr resource resources[] = {
 constexpr effect_view images{.passes = passes,
                              .resources = resources,
                              .settings = little::settings,
-                             .views = 1,
+                             .views = 2,
                              .features = {},
                              .defaults = {}};
 
@@ -114,7 +114,7 @@ constexpr resource counted[] = {{.name = "parameters", .kind = resource_kind::bl
 constexpr effect_view buffers{.passes = counting,
                               .resources = counted,
                               .settings = little::settings,
-                              .views = 1,
+                              .views = 2,
                               .features = {},
                               .defaults = {}};
 

@@ -92,7 +92,7 @@ constexpr resource resources[] = {
 constexpr effect_view counted{.passes = passes,
                               .resources = resources,
                               .settings = little::settings,
-                              .views = 1,
+                              .views = 2,
                               .features = {},
                               .defaults = {}};
 
