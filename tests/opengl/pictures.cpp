@@ -67,6 +67,14 @@ TEST_CASE("fragment passes for OpenGL give the picture of those for Vulkan") {
     }
 }
 
+TEST_CASE("texel fetches and image loads give the same picture in OpenGL") {
+    for (const std::string text : {recipes[0], recipes[1], recipes[3]}) {
+        CAPTURE(text);
+        const composition fetching{recipe(text + "/opengl")}, loading{recipe(text + "/opengl/image_load")};
+        CHECK(by_opengl(loading, "visibility") == by_opengl(fetching, "visibility"));
+    }
+}
+
 TEST_CASE("a pass for OpenGL stores to all its images") {
     const std::string text = "directions:6x4/single_layer/hbao/reconstructed_normals/bent_cone/bilateral:2";
     const composition vulkan{recipe(std::string_view(text))};
