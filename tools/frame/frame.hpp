@@ -62,7 +62,8 @@ struct frame_options {
 std::map<std::string, float> parse_settings(const std::vector<std::string>& texts);
 
 /// The recipe with what suits the device, where it names none: the first layer storage, in the order of the index
-/// of parts, that the device supports, where it captures layers; on a processor reads by image loads.
+/// of parts, that the device supports, where it captures layers; on a processor
+/// reads by image loads, and workgroups in columns.
 recipe supported(const vulkan::device& device, const recipe& chosen);
 
 /// An effect that is ready to run on a G-buffer, which must outlive it. The effect reads device depth and

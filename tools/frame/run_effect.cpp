@@ -120,6 +120,8 @@ recipe supported(const vulkan::device& device, const recipe& chosen) {
     recipe suited = chosen;
     if (device.is_processor() && !has(chosen.choices(), role::image_reads))
         suited = with(suited, image_load::description.name);
+    if (device.is_processor() && !has(chosen.choices(), role::stage))
+        suited = with(suited, compute_columns_part::description.name);
     const choice_list parts = complete(chosen.choices());
     if (!has(parts, role::layer_storage) || has(chosen.choices(), role::layer_storage))
         return suited;

@@ -6,7 +6,9 @@
 #include <crease/compose/joining.hpp>
 
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
@@ -43,29 +45,39 @@ inline constexpr program written =
     write_program(planned<Effect>, planned<Effect>.passes[Pass],
                   symbols<Effect, Pass, std::make_index_sequence<files<Effect, Pass>.size()>>::tables);
 
-template <class Effect, std::size_t Pass>
-constexpr auto list_interface() {
-    std::array<char, written<Effect, Pass>.interface.count> characters{};
-    for (std::size_t i = 0; i < characters.size(); ++i)
-        characters[i] = written<Effect, Pass>.interface.characters[i];
-    return characters;
+template <std::size_t Words>
+struct packed {
+    std::uint64_t words[Words];
+};
+template <std::size_t Words>
+struct unpacked {
+    char characters[8 * Words];
+};
+
+template <std::size_t Words>
+constexpr unpacked<Words> unpack(const interface_text& text) {
+    packed<Words> all{};
+    for (std::size_t i = 0; i < Words; ++i)
+        all.words[i] = text.word(i);
+    return std::bit_cast<unpacked<Words>>(all);
 }
+
+/// The characters of a program's interface, filled up with zeros.
 template <class Effect, std::size_t Pass>
-inline constexpr auto interface = list_interface<Effect, Pass>();
+inline constexpr auto interface =
+    unpack<(written<Effect, Pass>.interface.size() + 7) / 8>(written<Effect, Pass>.interface);
 
 template <class Effect, std::size_t Pass>
 constexpr auto list_pieces() {
-    std::array<piece, 1 + written<Effect, Pass>.definitions.size()> all{};
-    all[0] = {"interface", {interface<Effect, Pass>.data(), interface<Effect, Pass>.size()}};
+    constexpr const program& own = written<Effect, Pass>;
+    std::array<piece, 1 + own.definitions.size()> all{};
+    all[0] = {"interface", {interface<Effect, Pass>.characters, own.interface.size()}};
     for (std::size_t i = 1; i < all.size(); ++i)
-        all[i] = piece_of(written<Effect, Pass>.definitions[i - 1]);
+        all[i] = piece_of(own.definitions.items[i - 1]);
     return all;
 }
 template <class Effect, std::size_t Pass>
 inline constexpr auto pieces = list_pieces<Effect, Pass>();
-
-template <class Effect, std::size_t Pass>
-inline constexpr auto text = joining::join<joining::size_of(pieces<Effect, Pass>)>(pieces<Effect, Pass>);
 
 /// Asserts that the passes fit each other, each rule with the effect that it is about.
 template <class Effect, class Whole>
@@ -200,10 +212,13 @@ struct effect {
         return bytes;
     }
 
-    /// The whole text of a pass, NUL-terminated, with static storage; made only where it is named.
+    /// The whole text of a pass, NUL-terminated, with static storage; joined where it is first called for.
     template <std::size_t Pass>
-    static constexpr std::string_view source{composing::text<effect, Pass>.data(),
-                                             composing::text<effect, Pass>.size() - 1};
+    static std::string_view source() {
+        static const joining::text<joining::size_of(composing::pieces<effect, Pass>)> whole(
+            composing::pieces<effect, Pass>);
+        return whole.view();
+    }
 
     /// The effect as data, for a renderer.
     static constexpr effect_view view() {

@@ -3,8 +3,8 @@
 
 #include <crease/effect/pass.hpp>
 
-#include <array>
 #include <cstddef>
+#include <cstring>
 #include <string_view>
 
 namespace crease::joining {
@@ -16,18 +16,21 @@ constexpr std::size_t size_of(array_view<const piece> pieces) {
     return size;
 }
 
-/// The pieces of a program one after the other, NUL-terminated.
+/// The pieces of a program one after the other, NUL-terminated. They are joined at run time, as a compiler would take
+/// longer for that than for all else together.
 template <std::size_t Size>
-constexpr std::array<char, Size + 1> join(array_view<const piece> pieces) {
-    std::array<char, Size + 1> all{};
-    char* to = all.data();
-    for (const piece& each : pieces) {
-        const char* from = each.text.data();
-        for (std::size_t i = 0; i < each.text.size(); ++i)
-            to[i] = from[i];
-        to += each.text.size();
+struct text {
+    char characters[Size + 1];
+
+    explicit text(array_view<const piece> pieces) {
+        char* to = characters;
+        for (const piece& each : pieces) {
+            std::memcpy(to, each.text.data(), each.text.size());
+            to += each.text.size();
+        }
+        *to = '\0';
     }
-    return all;
-}
+    std::string_view view() const { return {characters, Size}; }
+};
 
 }

@@ -60,7 +60,7 @@ struct plan {
 };
 
 
-inline constexpr step main_step{.name = "visibility", .columns = 16};
+inline constexpr step main_step{.name = "visibility"};
 
 namespace planning {
 

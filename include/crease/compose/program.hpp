@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <crease/compose/interface_text.hpp>
 #include <crease/compose/linker.hpp>
 #include <crease/compose/plan.hpp>
-#include <crease/effect/fixed_text.hpp>
 #include <crease/effect/version.hpp>
 #include <crease/parts/reads/image_load.hpp>
 #include <crease/parts/stage/fragment.hpp>
@@ -13,9 +13,6 @@ namespace crease {
 using file_list = fixed_list<const glsl_file*, 64>;
 using binding_list = fixed_list<binding, 16>;
 using constant_list = fixed_list<constant, 32>;
-
-/// What stands before the definitions of a program: version, constants, resources and settings.
-using interface_text = fixed_text<6000>;
 
 /// A program before its pieces are joined. Bindings name resources of the plan.
 struct program {
@@ -35,11 +32,7 @@ constexpr file_list files_of(const plan& p, const planned_pass& pass) {
     case step_kind::texels: files.add(&build_glsl); break;
     case step_kind::rows: files.add(&build_rows_glsl); break;
     case step_kind::columns: files.add(&build_columns_glsl); break;
-    case step_kind::result:
-        if (pass.what->columns > 0 && pass.stage == stage_kind::compute)
-            files.add(&columns_glsl);
-        break;
-    case step_kind::geometry: break;
+    default: break;
     }
     for (const choice& c : p.parts)
         if (c.what->kind != role::filter && (c.what->kind != role::stage || pass.what->kind == step_kind::result))
@@ -79,7 +72,7 @@ public:
         write_accessors();
         write_results();
         out_.definitions = found_.order();
-        out_.cut = found_.is_cut() || out_.interface.cut || out_.bindings.cut || out_.constants.cut;
+        out_.cut = found_.is_cut() || out_.interface.is_cut() || out_.bindings.cut || out_.constants.cut;
         return out_;
     }
 
@@ -260,8 +253,6 @@ private:
         }
         if (uses("divisor"))
             write_constant("", "divisor", static_cast<int>(pass_.size.divisor));
-        if (uses("workgroup_columns"))
-            write_constant("workgroup", "columns", pass_.what->columns);
         if (uses("input_divisor"))
             write_constant("", "input_divisor", static_cast<int>(pass_.input_divisor));
         // A program for all cameras begins with the first and turns to the others itself.

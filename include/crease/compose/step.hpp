@@ -39,9 +39,6 @@ struct step {
     array_view<const std::string_view> writes{}; ///< resources of the effect's parts that it fills, of one size
     access how = access::store;                  ///< how it fills them
     int group_width = 16, group_height = 16;     ///< of a compute pass that is no result, invocations
-    /// Of a pass that reads far around its texel: how many workgroups side by side run down the output
-    /// together, so that they find in the cache what they share; 0: they run in rows.
-    int columns = 0;
     int from = 0;                 ///< the part's first number from which on the step is there
     int times = 1;                ///< how often it runs, one after the other
     bool per_view = false;        ///< whether it runs once for each camera

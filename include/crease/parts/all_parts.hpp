@@ -49,6 +49,7 @@
 #include <crease/parts/scan/subgroup_scan.hpp>
 #include <crease/parts/scan/work_efficient_scan.hpp>
 #include <crease/parts/stage/compute.hpp>
+#include <crease/parts/stage/compute_columns.hpp>
 #include <crease/parts/stage/fragment.hpp>
 #include <crease/parts/stage/functions.hpp>
 #include <crease/parts/storage/atomic_minimum.hpp>
@@ -128,6 +129,7 @@ inline constexpr const part* all_parts[] = {
     &texel_fetch::description,
     &image_load::description,
     &compute_part::description,
+    &compute_columns_part::description,
     &fragment::description,
     &functions_part::description,
     &vulkan_glsl::description,
