@@ -60,7 +60,7 @@ void check_composition(std::index_sequence<Pass...>) {
     const auto composed = std::make_unique<crease::composition>(crease::recipe(Effect::choices));
     REQUIRE_MESSAGE(static_cast<bool>(*composed), composed->error());
     REQUIRE(composed->view().passes.size() == sizeof...(Pass));
-    CHECK(((step::joined(composed->view().passes[Pass].pieces) == Effect::template source<Pass>)&&...));
+    CHECK(((step::joined(composed->view().passes[Pass].pieces) == Effect::template source<Pass>())&&...));
 }
 
 template <class Effect>
