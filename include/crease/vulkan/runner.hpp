@@ -17,7 +17,7 @@ namespace crease::vulkan {
 
 struct runner_options {
     unsigned guard =
-        0; ///< width of the guard band around the picture, texels: of depth, normals and captures
+        0; ///< width of the guard band around the picture, texels: of depth, normals and captured layers
     std::map<std::string, int> constants; ///< values other than the defaults, by "part.number"
     std::vector<pass_shaders> shaders;    ///< one for each pass, as compile() gives them; empty: compile them
 };
@@ -33,9 +33,8 @@ class runner {
 public:
     /// Makes the images, pipelines and descriptors of the effect, whose data must outlive the runner.
     /// @param width,height  of the picture in texels, > 0
-    /// @throws error         where a size is 0, the device lacks a feature, format, limit or memory, a
-    /// constant's
-    ///                       name is not the effect's, or a pass reads and writes one image
+    /// @throws error         where a size is 0, the device lacks a feature, format, limit or memory, the name
+    ///                       of a constant is not the effect's, or a pass reads and writes one image
     /// @throws spirv::error  where a pass does not compile
     runner(device& on, const effect_view& effect, std::uint32_t width, std::uint32_t height,
            const runner_options& options = {})
@@ -44,7 +43,8 @@ public:
                       "parameters"),
           timestamps_(on, static_cast<std::uint32_t>(effect.passes.size()) + 1),
           sampler_(detail::make_nearest_sampler(on)), own_(effect.resources.size()),
-          own_buffers_(effect.resources.size()), passes_(effect.passes.size()), geometry_(effect.passes.size()) {
+          own_buffers_(effect.resources.size()), passes_(effect.passes.size()),
+          geometry_(effect.passes.size()) {
         if (width == 0 || height == 0)
             throw error("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                         " texels cannot be rendered");
@@ -92,7 +92,8 @@ public:
     /// @param pass       name of a geometry pass of the effect
     /// @param triangles  must outlive the runs
     /// @param push_constants  as many bytes as the shaders say
-    /// @throws error         where there is no such pass, the bytes are not as many, or the device lacks a limit
+    /// @throws error         where there is no such pass, the bytes are not as many, or the device lacks a
+    /// limit
     /// @throws spirv::error  where the host's shaders with the pass's functions do not compile
     void set_geometry(std::string_view pass, const geometry_shaders& host, const mesh& triangles,
                       std::span<const std::byte> push_constants = {}) {
@@ -182,7 +183,7 @@ private:
     detail::owned_sampler sampler_;
     std::vector<std::unique_ptr<image>> own_; ///< by resource; null where it has none
     std::vector<std::unique_ptr<buffer>> own_buffers_;
-    detail::bound_resources bound_; ///< its own, or what is bound to it
+    detail::bound_resources bound_;                              ///< its own, or what is bound to it
     std::vector<std::unique_ptr<detail::prepared_pass>> passes_; ///< null for a geometry pass
     std::vector<std::unique_ptr<detail::prepared_geometry>> geometry_;
     bool descriptors_are_old_ = true;
@@ -236,7 +237,8 @@ private:
         const VkExtent2D texels = size_of(r.size);
         const std::size_t bytes =
             std::size_t{texels.width} * texels.height * r.layers * detail::bytes_of_element(r.element);
-        constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+        constexpr VkBufferUsageFlags usage =
+            VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
         if (bytes == 0 || bytes > device_.limits().maxStorageBufferRange)
             throw error("the device '" + device_.name() + "' cannot bind the buffer " + quoted(i) + " of " +
                         std::to_string(bytes) + " bytes");
@@ -245,8 +247,8 @@ private:
         bound_.buffers[i] = own_buffers_[i].get();
     }
 
-    /// Clears what is chosen, a history or what each frame begins with; multisampled images are cleared where they are
-    /// drawn to.
+    /// Clears what is chosen, a history or what each frame begins with; multisampled images are cleared where
+    /// they are drawn to.
     template <class Chosen>
     void clear(VkCommandBuffer commands, Chosen chosen) {
         for (std::size_t i = 0; i < effect_.resources.size(); ++i) {
@@ -359,8 +361,9 @@ private:
                 values.push_back(other == options.constants.end() ? c.value : other->second);
             }
             passes_[i] = std::make_unique<detail::prepared_pass>(
-                device_, each, effect_.resources, options.shaders.empty() ? compile(each) : options.shaders[i],
-                values, outputs_of(each), size_of(each.size));
+                device_, each, effect_.resources,
+                options.shaders.empty() ? compile(each) : options.shaders[i], values, outputs_of(each),
+                size_of(each.size));
         }
     }
 
