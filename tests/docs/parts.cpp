@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <regex>
 
 #include "parts.inc"
 
@@ -60,7 +61,7 @@ void check_composition(std::index_sequence<Pass...>) {
     const auto composed = std::make_unique<crease::composition>(crease::recipe(Effect::choices));
     REQUIRE_MESSAGE(static_cast<bool>(*composed), composed->error());
     REQUIRE(composed->view().passes.size() == sizeof...(Pass));
-    CHECK(((step::joined(composed->view().passes[Pass].pieces) == Effect::template source<Pass>())&&...));
+    CHECK(((step::joined(composed->view().passes[Pass].pieces) == Effect::template source<Pass>()) && ...));
 }
 
 template <class Effect>
@@ -105,6 +106,29 @@ TEST_CASE("the page has a section and a part for each role") {
         CHECK(page.substr(at, end - at).find(".kind = crease::role::" + kind) != std::string::npos);
         before = at;
     }
+}
+
+TEST_CASE("each section tells of all that its part defines") {
+    const std::string page = text_of_page();
+    const std::regex block("```cpp\\n[^`]*```"),
+        defined("\\n(?:struct|const int|[a-z][a-z0-9_]*) (crease_[a-z0-9_]+)");
+    unsigned definitions = 0;
+    for (std::size_t i = 0; i < crease::role_count; ++i) {
+        const std::string name(crease::name_of(static_cast<crease::role>(i)));
+        const std::size_t at = page.find("\n### " + name + "\n");
+        const std::string section = page.substr(at, page.find("\n##", at + 4) - at);
+        const std::string prose = std::regex_replace(section, block, "");
+        std::smatch own;
+        REQUIRE(std::regex_search(section, own, std::regex("\\.name = \"([a-z_]+)\",\n +\\.summary")));
+        for (std::sregex_iterator each(section.begin(), section.end(), defined), end; each != end; ++each) {
+            const std::string found = (*each)[1];
+            CAPTURE(found);
+            ++definitions;
+            CHECK((found.starts_with("crease_" + own[1].str() + "_") ||
+                   prose.find(found) != std::string::npos));
+        }
+    }
+    CHECK(definitions > 50);
 }
 
 TEST_CASE("the page names every part") {
