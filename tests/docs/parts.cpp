@@ -183,6 +183,10 @@ TEST_CASE("receivers") {
 TEST_CASE("output") {
     check<parts_page::with_darkness>("darkness");
 }
+TEST_CASE("output format") {
+    const std::vector<float> all = check<parts_page::with_exact>();
+    CHECK(std::ranges::any_of(all, [](float each) { return each * 255 != std::round(each * 255); }));
+}
 TEST_CASE("filter") {
     check<parts_page::with_box_blur>();
 }

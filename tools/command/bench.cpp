@@ -288,8 +288,9 @@ std::vector<baseline> time_baselines(vulkan::device& device, const gbuffer& inpu
     std::vector<baseline> all = {{"fetch_loop_milliseconds", "32 fetches of depth and no more",
                                   time_fetch_loop(device, inputs, options.repeats)}};
     const bool tables = std::ranges::any_of(candidates, [](const candidate& each) {
-        return std::ranges::any_of(each.chosen.choices(),
-                                   [](const choice& c) { return has(c.what->offers, &layers_of_areas::value); });
+        return std::ranges::any_of(each.chosen.choices(), [](const choice& c) {
+            return has(c.what->offers, &layers_of_areas::value);
+        });
     });
     if (!tables)
         return all;

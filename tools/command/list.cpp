@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 
-#include <crease/parts/all_parts.hpp>
 #include <crease/compose/composition.hpp>
+#include <crease/parts/all_parts.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -44,7 +44,8 @@ public:
         std::uint64_t word = 0;
         std::size_t digits = 0;
         const bool is_rest = number >= 100'000'000;
-        for (unsigned rest = number % 100'000'000; rest != 0 || digits == 0 || (is_rest && digits < 8); rest /= 10, ++digits)
+        for (unsigned rest = number % 100'000'000; rest != 0 || digits == 0 || (is_rest && digits < 8);
+             rest /= 10, ++digits)
             word = word << 8 | static_cast<std::uint64_t>('0' + rest % 10);
         add(word, digits);
         return *this;

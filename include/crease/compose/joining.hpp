@@ -16,8 +16,8 @@ constexpr std::size_t size_of(array_view<const piece> pieces) {
     return size;
 }
 
-/// The pieces of a program one after the other, NUL-terminated. They are joined at run time, as a compiler would take
-/// longer for that than for all else together.
+/// The pieces of a program one after the other, NUL-terminated. They are joined at run time, as a compiler
+/// would take longer for that than for all else together.
 template <std::size_t Size>
 struct text {
     char characters[Size + 1];
