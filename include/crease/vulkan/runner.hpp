@@ -17,7 +17,7 @@ namespace crease::vulkan {
 
 struct runner_options {
     unsigned guard =
-        0; ///< width of the guard band around the picture, texels: of depth, normals and captures
+        0; ///< width of the guard band around the picture, texels: of depth, normals and captured layers
     std::map<std::string, int> constants; ///< values other than the defaults, by "part.number"
     std::vector<pass_shaders> shaders;    ///< one for each pass, as compile() gives them; empty: compile them
 };
@@ -33,9 +33,8 @@ class runner {
 public:
     /// Makes the images, pipelines and descriptors of the effect, whose data must outlive the runner.
     /// @param width,height  of the picture in texels, > 0
-    /// @throws error         where a size is 0, the device lacks a feature, format, limit or memory, a
-    /// constant's
-    ///                       name is not the effect's, or a pass reads and writes one image
+    /// @throws error         where a size is 0, the device lacks a feature, format, limit or memory, the name
+    ///                       of a constant is not the effect's, or a pass reads and writes one image
     /// @throws spirv::error  where a pass does not compile
     runner(device& on, const effect_view& effect, std::uint32_t width, std::uint32_t height,
            const runner_options& options = {})
