@@ -105,6 +105,8 @@ TEST_CASE("two filters of one kind own one image and one setting") {
     using effect = crease::effect<directions<>, single_layer, hbao_plus, own::own_filter, own::own_filter>;
     CHECK(std::ranges::count(effect::resources, std::string_view("own_filter_image"), &resource::name) == 1);
     CHECK(std::ranges::count(effect::settings, std::string_view("own_filter"), &effect_setting::part) == 1);
+    CHECK(std::ranges::count(effect::passes, std::string_view("make_own_filter"), &pass::name) == 1);
+    CHECK(std::ranges::count(effect::passes, std::string_view("own_filter"), &pass::name) == 2);
 }
 
 TEST_CASE("a host's own number is a constant of the program") {
