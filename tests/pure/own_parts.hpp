@@ -255,7 +255,9 @@ OWN_THINGS(own_sampler)
 struct own_sampler {
     static constexpr glsl_file glsl{"own/sampler.glsl", OWN_VALUE(own_sampler) R"(
 struct crease_pattern { float angle; };
-crease_pattern crease_pattern_begin(crease_receiver receiver) { return crease_pattern(crease_own_sampler_value()); }
+crease_pattern crease_pattern_begin(crease_receiver receiver) {
+    return crease_pattern(crease_own_sampler_value() + crease_noise(receiver.pixel).x);
+}
 int crease_direction_count() { return 1; }
 int crease_step_count() { return crease_own_sampler_taps; }
 vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver receiver, int direction) {

@@ -2,6 +2,7 @@
 // Programs as hosts have them, compiled and compared with what their effect declares.
 #pragma once
 
+#include "spirv/sentence.hpp"
 #include "text/unused.hpp"
 
 #include <crease/crease.hpp>

@@ -14,12 +14,6 @@ __LINE__, R"glsl("
 // The layers that are fetched before it is known which of them are there.
 crease_layers crease_fetch_first_layers(vec2 texel) { return crease_fetch_layers(texel); }
 
-// All layers of a tap, of which the first are fetched.
-crease_contribution crease_combine_first_layers(crease_march march, crease_receiver receiver, crease_tap tap,
-                                                crease_layers layers) {
-    return crease_combine_layers(march, receiver, tap, layers, true);
-}
-
 // The layers that were fetched, of which there is at least one; `wanted`: whether they matter.
 crease_contribution crease_combine_layers(crease_march march, crease_receiver receiver, crease_tap tap,
                                           crease_layers layers, bool wanted) {
@@ -27,6 +21,12 @@ crease_contribution crease_combine_layers(crease_march march, crease_receiver re
     for (int i = 1; wanted && i < crease_layer_count(layers); ++i)
         all = crease_combine(all, crease_weigh(march, receiver, tap, crease_layer_at(layers, i)));
     return all;
+}
+
+// All layers of a tap, of which the first are fetched.
+crease_contribution crease_combine_first_layers(crease_march march, crease_receiver receiver, crease_tap tap,
+                                                crease_layers layers) {
+    return crease_combine_layers(march, receiver, tap, layers, true);
 }
 #ifdef __cplusplus
 ")glsl"
