@@ -63,8 +63,10 @@ public:
     /// One sentence that says why not; empty where there are.
     std::string_view error() const { return error_.view(); }
 
-    effect_view view() const { return {passes_, resources_, settings_, views_, features_, defaults_}; }
-    operator effect_view() const { return view(); }
+    effect_view view() const& { return {passes_, resources_, settings_, views_, features_, defaults_}; }
+    operator effect_view() const& { return view(); }
+    effect_view view() const&& = delete; // it would view what is gone
+    operator effect_view() const&& = delete;
 
 private:
     struct storage {
