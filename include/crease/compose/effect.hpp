@@ -58,7 +58,7 @@ template <std::size_t Words>
 constexpr unpacked<Words> unpack(const interface_text& text) {
     packed<Words> all{};
     for (std::size_t i = 0; i < Words; ++i)
-        all.words[i] = text.word(i);
+        all.words[i] = text.words[i];
     return std::bit_cast<unpacked<Words>>(all);
 }
 
@@ -219,9 +219,9 @@ struct effect {
     /// The whole text of a pass, NUL-terminated, with static storage; joined where it is first called for.
     template <std::size_t Pass>
     static std::string_view source() {
-        static const joining::text<joining::size_of(composing::pieces<effect, Pass>)> whole(
-            composing::pieces<effect, Pass>);
-        return whole.view();
+        static char characters[joining::size_of(composing::pieces<effect, Pass>) + 1];
+        static const std::string_view whole = joining::join(composing::pieces<effect, Pass>, characters);
+        return whole;
     }
 
     /// The effect as data, for a renderer.
