@@ -153,7 +153,7 @@ private:
         b.kind = uniform ? binding_kind::uniform_block : binding_kind::storage_block;
         if (uniform)
             b.writable = false;
-        b.name = module_.name_of(block.result); // by which a host knows it
+        b.name = module_.name_of(block.result);  // by which a host knows it
         bool readable = false, writable = false; // `readonly` of a block is said of its members
         for (std::uint32_t i = 0; i + 2 < block.operands.size(); ++i) {
             const int member = static_cast<int>(i);
