@@ -84,7 +84,7 @@ std::vector<GLuint> make_textures() {
     std::vector<GLuint> textures;
     for (const crease::resource& resource : ao::resources) {
         textures.push_back(0);
-        if (resource.texels == crease::format::none)
+        if (resource.kind == crease::resource_kind::block)
             continue;
         glGenTextures(1, &textures.back());
         glBindTexture(GL_TEXTURE_2D, textures.back());
@@ -125,7 +125,8 @@ std::vector<std::uint8_t> render(const std::vector<float>& depth, const crease::
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glGenBuffers(1, &block);
     glBindBuffer(GL_UNIFORM_BUFFER, block);
-    glBufferData(GL_UNIFORM_BUFFER, sizeof parameters, &parameters, GL_STATIC_DRAW);
+    const auto bytes = ao::block(parameters);
+    glBufferData(GL_UNIFORM_BUFFER, bytes.size(), bytes.data(), GL_STATIC_DRAW);
     glGenSamplers(1, &sampler); // as crease::access::sample asks for
     glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);

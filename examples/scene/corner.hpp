@@ -3,7 +3,7 @@
 
 #include "picture.hpp"
 
-#include <crease/parameters.hpp>
+#include <crease/effect/projection.hpp>
 
 #include <algorithm>
 #include <iostream>

@@ -3,7 +3,7 @@
 
 #include "context.hpp"
 
-#include <crease/effect.hpp>
+#include <crease/effect/effect_view.hpp>
 
 #include <span>
 #include <string>
@@ -25,7 +25,7 @@ public:
         glSamplerParameteri(sampler_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
         glSamplerParameteri(sampler_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
         for (const crease::resource& r : effect.resources)
-            textures_.push_back(r.texels == crease::format::none ? 0 : make_texture(r));
+            textures_.push_back(r.kind == crease::resource_kind::image ? make_texture(r) : 0);
         check_errors("making textures");
     }
 
@@ -40,7 +40,9 @@ public:
     void run(const crease::parameters& values) {
         glBindVertexArray(vertex_array_);
         glBindBuffer(GL_UNIFORM_BUFFER, block_);
-        glBufferData(GL_UNIFORM_BUFFER, sizeof values, &values, GL_STATIC_DRAW);
+        std::vector<std::byte> bytes(effect_.block_size());
+        crease::write_block(values, effect_.views, effect_.settings.size(), bytes.data());
+        glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
         for (const crease::pass& each : effect_.passes) {
             GLuint framebuffer; // of this pass's attachments alone
             glGenFramebuffers(1, &framebuffer);

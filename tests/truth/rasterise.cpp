@@ -36,7 +36,7 @@ image visibility_of(const gbuffer& inputs, std::string_view recipe, const frame_
 constexpr const char* recipes[] = {
     "directions:4x4/single_layer/hbao/bilateral", "hemisphere_points:8/single_layer/ssao",
     "sphere_lines:8/single_layer/line_volume", "directions:4x4/stochastic_layers:4/hbao/atomic_minimum",
-    "directions:4x4/stochastic_layers:4/hbao/atomic_minimum/second_view"};
+    "directions:4x4/stochastic_layers:4/hbao_plus/atomic_minimum/second_view"};
 
 }
 

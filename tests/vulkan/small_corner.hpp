@@ -3,7 +3,7 @@
 
 #include "corner.hpp"
 
-#include <crease/effect.hpp>
+#include <crease/effect/effect_view.hpp>
 
 #include <algorithm>
 #include <cmath>

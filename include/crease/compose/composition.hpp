@@ -69,6 +69,7 @@ public:
 private:
     struct storage {
         program written;
+        char interface[interface_text::most_characters];
         piece pieces[1 + 192];
         std::size_t piece_count = 0;
     };
@@ -76,11 +77,12 @@ private:
     void write(const plan& planned, const planned_pass& each) {
         storage& own = storage_[used_++];
         const file_list files = files_of(planned, each);
-        const symbol_table* tables[64]{};
+        const symbol_table* tables[file_list::capacity]{};
         for (std::size_t i = 0; i < files.size(); ++i)
             tables[i] = &table_of(files[i]);
         own.written = write_program(planned, each, {tables, files.size()});
-        own.pieces[own.piece_count++] = {"interface", own.written.interface.view()};
+        own.written.interface.write(own.interface);
+        own.pieces[own.piece_count++] = {"interface", {own.interface, own.written.interface.size()}};
         for (const linker::linked& each_definition : own.written.definitions)
             own.pieces[own.piece_count++] = piece_of(each_definition);
     }

@@ -65,11 +65,6 @@ inline constexpr glsl_file pixel_glsl{
 #include <crease/core/pixel.glsl>
 };
 
-inline constexpr glsl_file columns_glsl{
-    "stage/columns.glsl",
-#include <crease/stage/columns.glsl>
-};
-
 inline constexpr glsl_file build_glsl{
     "stage/build.glsl",
 #include <crease/stage/build.glsl>

@@ -6,7 +6,9 @@
 #include <crease/compose/joining.hpp>
 
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
@@ -43,29 +45,39 @@ inline constexpr program written =
     write_program(planned<Effect>, planned<Effect>.passes[Pass],
                   symbols<Effect, Pass, std::make_index_sequence<files<Effect, Pass>.size()>>::tables);
 
-template <class Effect, std::size_t Pass>
-constexpr auto list_interface() {
-    std::array<char, written<Effect, Pass>.interface.count> characters{};
-    for (std::size_t i = 0; i < characters.size(); ++i)
-        characters[i] = written<Effect, Pass>.interface.characters[i];
-    return characters;
+template <std::size_t Words>
+struct packed {
+    std::uint64_t words[Words];
+};
+template <std::size_t Words>
+struct unpacked {
+    char characters[8 * Words];
+};
+
+template <std::size_t Words>
+constexpr unpacked<Words> unpack(const interface_text& text) {
+    packed<Words> all{};
+    for (std::size_t i = 0; i < Words; ++i)
+        all.words[i] = text.words[i];
+    return std::bit_cast<unpacked<Words>>(all);
 }
+
+/// The characters of a program's interface, filled up with zeros.
 template <class Effect, std::size_t Pass>
-inline constexpr auto interface = list_interface<Effect, Pass>();
+inline constexpr auto
+    interface = unpack<(written<Effect, Pass>.interface.size() + 7) / 8>(written<Effect, Pass>.interface);
 
 template <class Effect, std::size_t Pass>
 constexpr auto list_pieces() {
-    std::array<piece, 1 + written<Effect, Pass>.definitions.size()> all{};
-    all[0] = {"interface", {interface<Effect, Pass>.data(), interface<Effect, Pass>.size()}};
+    constexpr const program& own = written<Effect, Pass>;
+    std::array<piece, 1 + own.definitions.size()> all{};
+    all[0] = {"interface", {interface<Effect, Pass>.characters, own.interface.size()}};
     for (std::size_t i = 1; i < all.size(); ++i)
-        all[i] = piece_of(written<Effect, Pass>.definitions[i - 1]);
+        all[i] = piece_of(own.definitions.items[i - 1]);
     return all;
 }
 template <class Effect, std::size_t Pass>
 inline constexpr auto pieces = list_pieces<Effect, Pass>();
-
-template <class Effect, std::size_t Pass>
-inline constexpr auto text = joining::join<joining::size_of(pieces<Effect, Pass>)>(pieces<Effect, Pass>);
 
 /// Asserts that the passes fit each other, each rule with the effect that it is about.
 template <class Effect, class Whole>
@@ -91,7 +103,8 @@ struct whole<Effect, std::index_sequence<Pass...>> {
     static constexpr refusal misfit = [] {
         pass_order order;
         refusal first;
-        ((first = first ? first : order.next(planned<Effect>, planned<Effect>.passes[Pass], written<Effect, Pass>)),
+        ((first = first ? first
+                        : order.next(planned<Effect>, planned<Effect>.passes[Pass], written<Effect, Pass>)),
          ...);
         return first;
     }();
@@ -103,7 +116,8 @@ struct whole<Effect, std::index_sequence<Pass...>> {
         return all;
     }();
     template <std::size_t Which>
-    static constexpr auto constants = shrink<written<Effect, Which>.constants.size()>(written<Effect, Which>.constants);
+    static constexpr auto
+        constants = shrink<written<Effect, Which>.constants.size()>(written<Effect, Which>.constants);
 
     template <std::size_t Which>
     static constexpr pass described() {
@@ -171,8 +185,9 @@ struct effect {
     static constexpr bool is_legal = rules::assert_all<Sampler, DepthSource, Estimator, Rest...>();
 
     /// The parts with their numbers: a `recipe` of them is the same effect at run time.
-    static constexpr choice choices[] = {rules::choice_or_none<Sampler>(), rules::choice_or_none<DepthSource>(),
-                                         rules::choice_or_none<Estimator>(), rules::choice_or_none<Rest>()...};
+    static constexpr choice choices[] = {
+        rules::choice_or_none<Sampler>(), rules::choice_or_none<DepthSource>(),
+        rules::choice_or_none<Estimator>(), rules::choice_or_none<Rest>()...};
 
     /// The passes in the order of execution, geometry passes of the host among them.
     static constexpr const auto& passes = composing::all_of<effect>::passes;
@@ -200,16 +215,20 @@ struct effect {
 
     /// The bytes of the uniform block.
     static auto block(const parameters& p) {
-        std::array<std::byte, block_size(composing::planned<effect>.views, composing::settings<effect>.size())>
+        std::array<std::byte,
+                   block_size(composing::planned<effect>.views, composing::settings<effect>.size())>
             bytes{};
         write_block(p, composing::planned<effect>.views, composing::settings<effect>.size(), bytes.data());
         return bytes;
     }
 
-    /// The whole text of a pass, NUL-terminated, with static storage; made only where it is named.
+    /// The whole text of a pass, NUL-terminated, with static storage; joined where it is first called for.
     template <std::size_t Pass>
-    static constexpr std::string_view source{composing::text<effect, Pass>.data(),
-                                             composing::text<effect, Pass>.size() - 1};
+    static std::string_view source() {
+        static char characters[joining::size_of(composing::pieces<effect, Pass>) + 1];
+        static const std::string_view whole = joining::join(composing::pieces<effect, Pass>, characters);
+        return whole;
+    }
 
     /// The effect as data, for a renderer.
     static constexpr effect_view view() {

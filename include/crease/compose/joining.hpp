@@ -3,8 +3,8 @@
 
 #include <crease/effect/pass.hpp>
 
-#include <array>
 #include <cstddef>
+#include <cstring>
 #include <string_view>
 
 namespace crease::joining {
@@ -16,18 +16,16 @@ constexpr std::size_t size_of(array_view<const piece> pieces) {
     return size;
 }
 
-/// The pieces of a program one after the other, NUL-terminated.
-template <std::size_t Size>
-constexpr std::array<char, Size + 1> join(array_view<const piece> pieces) {
-    std::array<char, Size + 1> all{};
-    char* to = all.data();
+/// Writes the pieces of a program one after the other. They are joined at run time, as a compiler would take longer for
+/// that than for all else together.
+/// @param to  of size_of(pieces) characters
+inline std::string_view join(array_view<const piece> pieces, char* to) {
+    std::size_t size = 0;
     for (const piece& each : pieces) {
-        const char* from = each.text.data();
-        for (std::size_t i = 0; i < each.text.size(); ++i)
-            to[i] = from[i];
-        to += each.text.size();
+        std::memcpy(to + size, each.text.data(), each.text.size());
+        size += each.text.size();
     }
-    return all;
+    return {to, size};
 }
 
 }

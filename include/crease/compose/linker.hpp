@@ -21,32 +21,36 @@ public:
     /// Adds a file. What is defined already stays as it is.
     constexpr void add(const symbol_table& file) {
         is_cut_ = is_cut_ || file.definitions.cut || file.references.cut;
+        const definition* definitions = file.definitions.items;
         for (std::size_t i = 0; i < file.definitions.count; ++i) {
-            entry& e = at(file.definitions.items[i].name);
-            if (!e.what.from)
-                e.what = {&file, static_cast<std::uint16_t>(i)};
+            const std::size_t at = place_of(definitions[i].name);
+            if (!from_[at]) {
+                from_[at] = &file;
+                index_[at] = static_cast<std::uint16_t>(i);
+            }
         }
     }
 
     /// Takes in a definition, or a name that no file defines, with all that it refers to.
     constexpr void use(symbol name) {
-        entry& e = at(name);
-        if (e.is_used)
+        const std::size_t at = place_of(name);
+        if (is_used_[at])
             return;
-        e.is_used = true;
-        if (!e.what.from)
+        is_used_[at] = true;
+        const symbol_table* from = from_[at];
+        if (!from)
             return;
-        const linked what = e.what;
-        const definition& own = what.from->definitions.items[what.index];
+        const definition& own = from->definitions.items[index_[at]];
+        const symbol* references = from->references.items + own.first_reference;
         for (std::size_t i = 0; i < own.references; ++i)
-            use(what.from->references.items[own.first_reference + i]);
-        order_.add(what);
+            use(references[i]);
+        order_.add({from, index_[at]});
     }
 
     constexpr bool is_used(symbol name) const {
-        for (std::size_t i = name % capacity; table_[i].name != 0; i = (i + 1) % capacity)
-            if (table_[i].name == name)
-                return table_[i].is_used;
+        for (std::size_t i = name % capacity; names_[i] != 0; i = (i + 1) % capacity)
+            if (names_[i] == name)
+                return is_used_[i];
         return false;
     }
 
@@ -57,28 +61,26 @@ public:
     constexpr bool is_cut() const { return is_cut_ || order_.cut || count_ == capacity / 2; }
 
 private:
-    struct entry {
-        symbol name = 0;
-        bool is_used = false;
-        linked what{};
-    };
     static constexpr std::size_t capacity = 1024;
 
-    constexpr entry& at(symbol name) {
+    constexpr std::size_t place_of(symbol name) {
         std::size_t i = name % capacity;
-        while (table_[i].name != 0 && table_[i].name != name)
+        while (names_[i] != 0 && names_[i] != name)
             i = (i + 1) % capacity;
-        if (table_[i].name == 0) {
+        if (names_[i] == 0) {
             if (count_ == capacity / 2)
-                return rest_;
+                return capacity; // for all that does not fit
             ++count_;
-            table_[i].name = name;
+            names_[i] = name;
         }
-        return table_[i];
+        return i;
     }
 
-    entry table_[capacity]{};
-    entry rest_; // for what does not fit
+    // Arrays of their own, as a compiler is quicker at these than at structs.
+    symbol names_[capacity + 1] = {};
+    const symbol_table* from_[capacity + 1] = {};
+    std::uint16_t index_[capacity + 1] = {};
+    bool is_used_[capacity + 1] = {};
     std::size_t count_ = 0;
     fixed_list<linked, 192> order_;
     bool is_cut_ = false;

@@ -12,10 +12,10 @@
 namespace crease::vulkan::detail {
 
 constexpr VkDescriptorType descriptor_of(access how, resource_kind of) {
-    return how == access::uniform          ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
-           : of == resource_kind::buffer   ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
-           : how == access::sample ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
-                                   : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    return how == access::uniform        ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
+           : of == resource_kind::buffer ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
+           : how == access::sample       ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
+                                         : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 }
 
 /// How shaders use an image that is bound so; of an attachment the render target knows.
@@ -49,7 +49,8 @@ inline void prepare_for(VkCommandBuffer commands, std::span<const binding> of, c
     barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT;
     barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT;
     constexpr VkPipelineStageFlags writers = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT |
-                                             VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT;
+                                             VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT |
+                                             VK_PIPELINE_STAGE_TRANSFER_BIT;
     vkCmdPipelineBarrier(commands, writers, stage, 0, 1, &barrier, 0, nullptr, 0, nullptr);
 }
 
@@ -122,7 +123,7 @@ public:
 private:
     VkDevice device_;
     std::vector<resource_kind> kinds_; ///< by resource
-    std::vector<binding> bindings_; ///< those that have a descriptor
+    std::vector<binding> bindings_;    ///< those that have a descriptor
     std::vector<owned_set_layout> layouts_;
     owned_pipeline_layout layout_;
     owned_descriptor_pool pool_;

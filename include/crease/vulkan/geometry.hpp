@@ -36,7 +36,8 @@ public:
     prepared_geometry(device& on, const pass& of, std::span<const resource> resources, image* attachment,
                       VkExtent2D size, const geometry_shaders& host)
         : pass_(of), push_bytes_(host.push_constant_bytes), clear_depth_(host.reversed_depth ? 0.0f : 1.0f),
-          descriptors_(on, of.bindings, resources, VK_SHADER_STAGE_FRAGMENT_BIT, push_bytes_, geometry_stages) {
+          descriptors_(on, of.bindings, resources, VK_SHADER_STAGE_FRAGMENT_BIT, push_bytes_,
+                       geometry_stages) {
         expect_push_size(on, push_bytes_);
         target_ = std::make_unique<render_target>(on, std::vector<image*>(), attachment, size,
                                                   earlier_content::cleared);
@@ -85,14 +86,14 @@ private:
         for (const constant& c : pass_.constants)
             values.push_back(c.value);
         const specialization constants(pass_.constants, values);
-        pipeline_ = make_graphics_pipeline(on, {.vertex = vertex,
-                                                .fragment = fragment,
-                                                .layout = descriptors_.layout(),
-                                                .target = target_.get(),
-                                                .constants = &constants,
-                                                .vertex_input = mesh_input(vertex),
-                                                .nearer = clear_depth_ == 0 ? VK_COMPARE_OP_GREATER
-                                                                            : VK_COMPARE_OP_LESS});
+        pipeline_ = make_graphics_pipeline(
+            on, {.vertex = vertex,
+                 .fragment = fragment,
+                 .layout = descriptors_.layout(),
+                 .target = target_.get(),
+                 .constants = &constants,
+                 .vertex_input = mesh_input(vertex),
+                 .nearer = clear_depth_ == 0 ? VK_COMPARE_OP_GREATER : VK_COMPARE_OP_LESS});
     }
 };
 

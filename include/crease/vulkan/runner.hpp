@@ -44,7 +44,8 @@ public:
                       "parameters"),
           timestamps_(on, static_cast<std::uint32_t>(effect.passes.size()) + 1),
           sampler_(detail::make_nearest_sampler(on)), own_(effect.resources.size()),
-          own_buffers_(effect.resources.size()), passes_(effect.passes.size()), geometry_(effect.passes.size()) {
+          own_buffers_(effect.resources.size()), passes_(effect.passes.size()),
+          geometry_(effect.passes.size()) {
         if (width == 0 || height == 0)
             throw error("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                         " texels cannot be rendered");
@@ -78,6 +79,16 @@ public:
         vulkan::upload(device_, own_input(name), bytes);
     }
 
+    /// Fills the first bytes of a buffer that is an input.
+    /// @throws error  where there is none of that name, or it is smaller
+    void upload_buffer(std::string_view name, std::span<const std::byte> bytes) {
+        const std::span<std::byte> to = buffer_of(name).bytes();
+        if (bytes.size() > to.size())
+            throw error("the buffer '" + std::string(name) + "' takes " + std::to_string(to.size()) +
+                        " bytes, not " + std::to_string(bytes.size()));
+        std::ranges::copy(bytes, to.begin());
+    }
+
     /// Reads an input from an image of the same device, which must outlive the runner or the next binding of
     /// the name. Its format may be any that samples as the declared one does, its size at least the declared
     /// one.
@@ -92,7 +103,8 @@ public:
     /// @param pass       name of a geometry pass of the effect
     /// @param triangles  must outlive the runs
     /// @param push_constants  as many bytes as the shaders say
-    /// @throws error         where there is no such pass, the bytes are not as many, or the device lacks a limit
+    /// @throws error         where there is no such pass, the bytes are not as many, or the device lacks a
+    /// limit
     /// @throws spirv::error  where the host's shaders with the pass's functions do not compile
     void set_geometry(std::string_view pass, const geometry_shaders& host, const mesh& triangles,
                       std::span<const std::byte> push_constants = {}) {
@@ -155,13 +167,9 @@ public:
 
     /// The bytes of a buffer, e.g. of a report.
     /// @throws error  where there is none of that name
-    std::vector<std::byte> download_buffer(std::string_view name) {
-        for (std::size_t i = 0; i < own_buffers_.size(); ++i)
-            if (own_buffers_[i] && effect_.resources[i].name == name) {
-                const std::span<std::byte> bytes = own_buffers_[i]->bytes();
-                return {bytes.begin(), bytes.end()};
-            }
-        throw error("there is no buffer named '" + std::string(name) + "'");
+    std::vector<std::byte> download_buffer(std::string_view name) const {
+        const std::span<std::byte> bytes = buffer_of(name).bytes();
+        return {bytes.begin(), bytes.end()};
     }
 
     /// The image of a resource, e.g. to bind it to another runner.
@@ -182,7 +190,7 @@ private:
     detail::owned_sampler sampler_;
     std::vector<std::unique_ptr<image>> own_; ///< by resource; null where it has none
     std::vector<std::unique_ptr<buffer>> own_buffers_;
-    detail::bound_resources bound_; ///< its own, or what is bound to it
+    detail::bound_resources bound_;                              ///< its own, or what is bound to it
     std::vector<std::unique_ptr<detail::prepared_pass>> passes_; ///< null for a geometry pass
     std::vector<std::unique_ptr<detail::prepared_geometry>> geometry_;
     bool descriptors_are_old_ = true;
@@ -236,7 +244,8 @@ private:
         const VkExtent2D texels = size_of(r.size);
         const std::size_t bytes =
             std::size_t{texels.width} * texels.height * r.layers * detail::bytes_of_element(r.element);
-        constexpr VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+        constexpr VkBufferUsageFlags usage =
+            VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
         if (bytes == 0 || bytes > device_.limits().maxStorageBufferRange)
             throw error("the device '" + device_.name() + "' cannot bind the buffer " + quoted(i) + " of " +
                         std::to_string(bytes) + " bytes");
@@ -245,8 +254,8 @@ private:
         bound_.buffers[i] = own_buffers_[i].get();
     }
 
-    /// Clears what is chosen, a history or what each frame begins with; multisampled images are cleared where they are
-    /// drawn to.
+    /// Clears what is chosen, a history or what each frame begins with; multisampled images are cleared where
+    /// they are drawn to.
     template <class Chosen>
     void clear(VkCommandBuffer commands, Chosen chosen) {
         for (std::size_t i = 0; i < effect_.resources.size(); ++i) {
@@ -318,6 +327,13 @@ private:
                             "'; set_geometry says what is");
     }
 
+    const buffer& buffer_of(std::string_view name) const {
+        for (std::size_t i = 0; i < own_buffers_.size(); ++i)
+            if (own_buffers_[i] && effect_.resources[i].name == name)
+                return *own_buffers_[i];
+        throw error("there is no buffer named '" + std::string(name) + "'");
+    }
+
     std::size_t geometry_pass_of(std::string_view name) const {
         std::string names;
         for (std::size_t i = 0; i < effect_.passes.size(); ++i) {
@@ -359,8 +375,9 @@ private:
                 values.push_back(other == options.constants.end() ? c.value : other->second);
             }
             passes_[i] = std::make_unique<detail::prepared_pass>(
-                device_, each, effect_.resources, options.shaders.empty() ? compile(each) : options.shaders[i],
-                values, outputs_of(each), size_of(each.size));
+                device_, each, effect_.resources,
+                options.shaders.empty() ? compile(each) : options.shaders[i], values, outputs_of(each),
+                size_of(each.size));
         }
     }
 

@@ -14,60 +14,44 @@ void crease_close_direction(inout crease_gathered gathered, crease_march march, 
 __LINE__, R"glsl("
 #endif
 
-// Taps whose layers are fetched before any is weighed, so that the waits overlap.
+// Unroll fully up to this many layer fetches; otherwise unroll one direction if it fits.
+const int crease_most_unrolled = 128;
 const int crease_batch_size = 4;
 
-struct crease_batch {
+// Fetches a batch of taps before any is weighed, so that their latencies overlap.
+void crease_gather_taps(inout crease_march march, inout crease_pattern pattern, crease_receiver receiver, int first) {
     crease_tap taps[crease_batch_size];
     crease_fetched fetched[crease_batch_size];
-};
-
-crease_batch crease_fetch_batch(inout crease_pattern pattern, crease_receiver receiver, int first, int count) {
-    crease_batch batch;
+    int count = crease_step_count() % crease_batch_size == 0 ? crease_batch_size : crease_step_count() - first;
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count) {
-            batch.taps[i] = crease_pattern_tap(pattern, receiver, first + i);
-            batch.fetched[i] = crease_fetch(batch.taps[i].texel);
+            taps[i] = crease_pattern_tap(pattern, receiver, first + i);
+            fetched[i] = crease_fetch(taps[i].texel);
         }
-    return batch;
-}
-
-void crease_gather_batch(inout crease_march march, inout crease_pattern pattern, crease_receiver receiver, int first,
-                         int count) {
-    crease_batch batch = crease_fetch_batch(pattern, receiver, first, count);
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count)
-            crease_traverse(march, receiver, batch.taps[i], batch.fetched[i]);
+            crease_traverse(march, receiver, taps[i], fetched[i]);
 }
-
-// Loops are unrolled where they are short, as a loop costs some drivers dearly: all directions, or else one, up to so
-// many layers of its taps.
-const int crease_most_unrolled = 128;
-
-int crease_layers_of_direction() { return crease_step_count() * crease_most_layers; }
 
 void crease_gather_direction(inout crease_gathered gathered, inout crease_pattern pattern, crease_receiver receiver,
                              int i) {
     vec2 direction = crease_pattern_direction(pattern, receiver, i);
     crease_march march = crease_begin_direction(gathered.estimate, receiver, direction);
-    int rest = crease_step_count() % crease_batch_size, whole = crease_step_count() - rest;
-    if (crease_layers_of_direction() <= crease_most_unrolled) {
-        crease_unroll for (int step = 0; step < whole; step += crease_batch_size)
-            crease_gather_batch(march, pattern, receiver, step, crease_batch_size);
+    if (crease_step_count() * crease_most_layers <= crease_most_unrolled) {
+        crease_unroll for (int step = 0; step < crease_step_count(); step += crease_batch_size)
+            crease_gather_taps(march, pattern, receiver, step);
     } else {
-        for (int step = 0; step < whole; step += crease_batch_size)
-            crease_gather_batch(march, pattern, receiver, step, crease_batch_size);
+        for (int step = 0; step < crease_step_count(); step += crease_batch_size)
+            crease_gather_taps(march, pattern, receiver, step);
     }
-    if (rest > 0)
-        crease_gather_batch(march, pattern, receiver, whole, rest);
     crease_close_direction(gathered, march, receiver, direction);
 }
 
-// The loop of every technique: each tap of the sampler, each layer of the depth source, weighed by the estimator.
+// Every technique: for each direction and tap of the sampler, each layer of the depth source, weighed by the estimator.
 crease_gathered crease_gather(crease_receiver receiver) {
     crease_pattern pattern = crease_pattern_begin(receiver);
     crease_gathered gathered = crease_begin_gathering(receiver);
-    if (crease_direction_count() * crease_layers_of_direction() <= crease_most_unrolled) {
+    if (crease_direction_count() * crease_step_count() * crease_most_layers <= crease_most_unrolled) {
         crease_unroll for (int i = 0; i < crease_direction_count(); ++i)
             crease_gather_direction(gathered, pattern, receiver, i);
     } else {

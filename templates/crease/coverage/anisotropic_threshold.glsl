@@ -7,7 +7,6 @@ __LINE__, R"glsl("
 
 // The same with a grid that follows the texel's footprint along each axis, so that surfaces seen at a grazing angle
 // keep noise as fine as a texel: stochastic-depth-ao 8.2.
-
 uint crease_kept_samples(vec3 anchor) {
     vec3 width = max(abs(dFdx(anchor)), abs(dFdy(anchor)));
     // An axis that the surface hardly moves along tells its places apart by those it moves along; cells as small as its

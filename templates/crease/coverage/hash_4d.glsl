@@ -6,7 +6,6 @@ __LINE__, R"glsl("
 #endif
 
 // A coin for each sample, by a hash of the fragment's place and the sample's index: stochastic-depth-ao 8.2.
-
 uint crease_kept_samples(vec3 anchor) {
     uint kept = 0u;
     float seed = float(crease_frame & 1023u) * 32.0;

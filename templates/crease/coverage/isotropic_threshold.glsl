@@ -7,7 +7,6 @@ __LINE__, R"glsl("
 
 // A threshold for each sample that stays on the surface when the camera moves: a hash of the anchor on a grid as wide
 // as a texel, between the two nearest powers of two: stochastic-depth-ao 8.2.
-
 uint crease_kept_samples(vec3 anchor) {
     float width = max(length(dFdx(anchor)), length(dFdy(anchor)));
     float level = -log2(max(width, 1.0e-20));

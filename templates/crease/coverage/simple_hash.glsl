@@ -7,7 +7,6 @@ __LINE__, R"glsl("
 #endif
 
 // A coin for each sample: stochastic-depth-ao, Algorithm 4.
-
 uint crease_kept_samples(vec3 anchor) {
     uint kept = 0u;
     for (int i = 0; i < crease_sample_count(); ++i)

@@ -6,7 +6,6 @@ __LINE__, R"glsl("
 #endif
 
 // The texels that the levels above them are made of.
-
 void crease_build(ivec2 texel) { imageStore(crease_area_tables, ivec3(texel, 0), crease_area_texel(texel)); }
 #ifdef __cplusplus
 ")glsl"

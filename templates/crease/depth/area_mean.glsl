@@ -7,7 +7,6 @@ __LINE__, R"glsl("
 #endif
 
 // The position that stands for the mean of what a sum over a table holds.
-
 vec3 crease_area_mean(vec4 sum) { return crease_area_position(sum.xzw / sum.y, crease_range_mean()); }
 #ifdef __cplusplus
 ")glsl"

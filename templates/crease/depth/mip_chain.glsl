@@ -11,7 +11,6 @@ __LINE__, R"glsl("
 // The sums over a box by the texels that texture filters take: four around its middle in each of two levels of a mip
 // chain, of which two texels are as wide as the box: statistical-volumetric-obscurance 3.3. Each is a layer of its own,
 // as the mean of all would take a far surface in one texel for a near one.
-
 int crease_areas_divisor() { return crease_mip_chain_divisor; }
 
 const int crease_most_layers = 8;

@@ -8,7 +8,6 @@ __LINE__, R"glsl("
 
 // A level of a mip chain holds the sums over squares of four texels of the level before, in a corner of its image:
 // statistical-volumetric-obscurance 3.3, figure 3.2.
-
 void crease_build(ivec2 texel) {
     const int before = crease_areas_level - 1;
     ivec2 size = (crease_areas_size() + (1 << before) - 1) >> before;

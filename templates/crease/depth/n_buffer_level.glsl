@@ -8,7 +8,6 @@ __LINE__, R"glsl("
 
 // A level of an N-buffer holds the sums over squares, twice as wide as those of the level before, that begin at each
 // texel: statistical-volumetric-obscurance 3.3, figure 3.2.
-
 void crease_build(ivec2 texel) {
     const int before = crease_areas_level - 1;
     vec4 sum = vec4(0.0);

@@ -10,7 +10,6 @@ __LINE__, R"glsl("
 
 // Gathers the samples of a texel: many of them hold the same fragment, and as the most occluding counts, once is
 // enough. So a tap looks at as many layers as there are, and not at as many as there are samples.
-
 void crease_build(ivec2 texel) {
     vec4 groups[(crease_stochastic_layers_count + 3) / 4];
     crease_unroll for (int group = 0; group < crease_group_count(); ++group)

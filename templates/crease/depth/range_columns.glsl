@@ -10,7 +10,6 @@ __LINE__, R"glsl("
 #endif
 
 // The range of depth of each column of the picture.
-
 void crease_build_line(int line) {
     int along = int(gl_LocalInvocationID.y), count = int(gl_WorkGroupSize.y);
     vec4 own = crease_range_empty();

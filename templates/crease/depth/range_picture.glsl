@@ -8,7 +8,6 @@ __LINE__, R"glsl("
 #endif
 
 // The range of depth of the picture, and its mean, out of those of its columns.
-
 void crease_build_line(int line) {
     int along = int(gl_LocalInvocationID.x), count = int(gl_WorkGroupSize.x);
     vec4 own = crease_range_empty();

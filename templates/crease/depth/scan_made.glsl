@@ -7,7 +7,6 @@ __LINE__, R"glsl("
 
 // A scan that makes the texels of the table of the whole picture as it reads them: twice, which is less than a pass that
 // stores them takes.
-
 vec4 crease_scan_read(ivec3 at) { return crease_area_texel(at.xy); }
 
 vec4 crease_scan_reread(ivec3 at) { return crease_area_texel(at.xy); }

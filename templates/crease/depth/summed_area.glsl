@@ -8,7 +8,6 @@ __LINE__, R"glsl("
 #endif
 
 // One layer: all that the picture shows.
-
 int crease_areas_divisor() { return crease_summed_area_divisor; }
 
 const int crease_most_layers = 1;

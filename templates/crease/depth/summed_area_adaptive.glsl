@@ -11,7 +11,6 @@ __LINE__, R"glsl("
 //
 // Table 0 holds all texels. Table t splits layer t - 2^k, of the greatest 2^k up to t: it holds the nearer part, which
 // keeps the layer's number, and the difference is the farther part, layer t.
-
 int crease_areas_divisor() { return crease_summed_area_adaptive_divisor; }
 
 const int crease_most_layers = crease_summed_area_adaptive_layers;

@@ -18,7 +18,6 @@ __LINE__, R"glsl("
 // statistical-volumetric-obscurance 4.4, Algorithm 2, lines 4, 8 and 9. The tables of the level begin with
 // `crease_summed_area_adaptive_split`. The splits of the levels before are made once more, as they read the same
 // places. Each texel of the picture goes its own way, those in one texel of smaller tables too.
-
 int crease_areas_divisor() { return crease_divisor; }
 
 const int crease_summed_area_adaptive_most = 4; // layers that one level splits

@@ -8,7 +8,6 @@ __LINE__, R"glsl("
 #endif
 
 // Layers of equal depth between the nearest and the farthest of the picture: statistical-volumetric-obscurance 4.3.
-
 int crease_areas_divisor() { return crease_summed_area_uniform_divisor; }
 
 const int crease_most_layers = crease_summed_area_uniform_layers;

@@ -11,7 +11,6 @@ __LINE__, R"glsl("
 
 // Each texel in the table of its layer, and nothing in the others: statistical-volumetric-obscurance 4.3. Layers are as
 // thick as each other in what the estimator takes means of.
-
 float crease_summed_area_uniform_value(float depth) {
     return crease_area_value(vec3(0.0, 0.0, -depth), crease_range_mean()).x;
 }

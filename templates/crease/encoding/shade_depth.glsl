@@ -6,7 +6,6 @@ __LINE__, R"glsl("
 #endif
 
 // Shade and depth; visibility follows from the shade.
-
 uvec4 crease_encode_between(crease_result result) {
     return uvec4(floatBitsToUint(result.shade), floatBitsToUint(result.depth), 0u, 0u);
 }

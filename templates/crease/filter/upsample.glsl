@@ -15,7 +15,6 @@ __LINE__, R"glsl("
 // Each texel of the picture from the four nearest of the smaller one, weighed by distance and by how near they lie to the
 // texel's tangent plane, so that a slanted surface does not fall into steps. Likeness of normals is no weight: near a
 // crease it leaves the few samples of one side, and shows them.
-
 crease_result crease_evaluate(ivec2 pixel) {
     vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
     float depth = crease_depth_at(texel);

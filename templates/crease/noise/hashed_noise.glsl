@@ -4,7 +4,6 @@ __LINE__, R"glsl("
 #endif
 
 // Two numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
-
 uvec3 crease_hashed_noise_mix(uvec3 v) {
     v = v * 1664525u + 1013904223u;
     v += v.yzx * v.zxy;

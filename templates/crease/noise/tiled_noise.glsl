@@ -5,7 +5,6 @@ __LINE__, R"glsl("
 
 // Numbers that repeat from tile to tile of pixels: statistical-volumetric-obscurance 2.2. Those of a tile, and of the
 // next frame's after it, step by the golden ratio and by the root of 2, and so divide [0, 1) evenly however many.
-
 vec2 crease_noise(ivec2 pixel) {
     const uint side = uint(crease_tiled_noise_side);
     uvec2 within = uvec2(pixel) % side;

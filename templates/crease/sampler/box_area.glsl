@@ -5,7 +5,6 @@ __LINE__, R"glsl("
 
 // The square around the receiver, as an area: the loops of unsharp-mask-ssao's listing. The listing counts both edges of
 // the picture in: a texel just past the far one reads the last, which is a tap of its own where it is asked for.
-
 struct crease_pattern {
     vec2 rows; // top and bottom edge, texels
 };

@@ -4,7 +4,6 @@ __LINE__, R"glsl("
 #endif
 
 // Each texel of a square around the receiver's: the loops of unsharp-mask-ssao's listing.
-
 struct crease_pattern {
     float row; // texels, from the receiver
 };

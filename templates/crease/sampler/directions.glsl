@@ -8,7 +8,6 @@ __LINE__, R"glsl("
 
 // Directions that divide the circle evenly, and steps that grow by a power of their index; both start at a random offset
 // per pixel: stochastic-depth-ao, Algorithms 2 and 3.
-
 struct crease_pattern {
     vec2 direction; // unit, on the disk that faces the eye
     vec2 first;     // texels: where the march begins; rounded down it is the texel

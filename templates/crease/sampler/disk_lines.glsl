@@ -11,7 +11,6 @@ __LINE__, R"glsl("
 
 // Lines spread evenly over the disk of the radius, each the ray of the texel that it falls into: a spiral of golden
 // angles, turned and its radii shifted by the noise of the pixel.
-
 struct crease_pattern {
     vec2 direction; // unit, on the disk that faces the eye
     float offset;   // of the first radius

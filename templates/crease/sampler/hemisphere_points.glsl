@@ -11,7 +11,6 @@ __LINE__, R"glsl("
 // Points in the hemisphere over the receiver, turned about the normal by a random angle per pixel:
 // stochastic-depth-ao 4.1. Directions are distributed by the cosine and distances evenly, so that the share of points
 // behind a surface at distance d is the cosine-weighted occlusion with a linear falloff, 1 - d / R.
-
 struct crease_pattern {
     vec3 tangent, bitangent; // view space, unit
     vec2 direction;          // unit, in the tangent plane

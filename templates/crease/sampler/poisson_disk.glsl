@@ -8,7 +8,6 @@ __LINE__, R"glsl("
 
 // A disk of points that keep apart: a spiral of golden angles, on which no two of N points are nearer to each other
 // than 1 / sqrt(N) of the radius, for every N. It is turned, and its radii are shifted, at random per pixel.
-
 struct crease_pattern {
     vec2 direction; // unit, on the disk that faces the eye
     float offset;   // of the first radius

@@ -6,7 +6,6 @@ __LINE__, R"glsl("
 #endif
 
 // One tap: the area that the box around the receiver covers: statistical-volumetric-obscurance 4.2.
-
 struct crease_pattern {
     bool unused;
 };

@@ -10,7 +10,6 @@ __LINE__, R"glsl("
 
 // Points spread evenly through the sphere around the receiver, turned about the direction to the eye and their
 // distances shifted by the noise of the pixel: statistical-volumetric-obscurance 2.2 and (4.1).
-
 struct crease_pattern {
     vec2 direction; // unit, on the disk that faces the eye
     float radius;   // view space

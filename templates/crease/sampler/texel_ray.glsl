@@ -7,7 +7,6 @@ __LINE__, R"glsl("
 
 // The ray of a texel by the receiver: start + t * ray from it, where t counts depth and is 0 where the receiver is.
 // Differences are of rays alone, as those of positions keep nothing of a radius that is small beside the distance.
-
 void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out vec3 ray) {
     vec3 eye = crease_view_position(texel, 0.0), own_eye = crease_view_position(receiver.texel, 0.0);
     vec3 own_ray = crease_view_position(receiver.texel, 1.0) - own_eye;

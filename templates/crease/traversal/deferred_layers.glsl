@@ -4,7 +4,8 @@ crease_pattern crease_pattern_begin(crease_receiver receiver);
 vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver receiver, int direction);
 int crease_direction_count();
 int crease_step_count();
-crease_batch crease_fetch_batch(inout crease_pattern pattern, crease_receiver receiver, int first, int count);
+crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
+crease_fetched crease_fetch(vec2 texel);
 crease_gathered crease_begin_gathering(crease_receiver receiver);
 crease_march crease_begin_direction(crease_estimate estimate, crease_receiver receiver, vec2 direction);
 void crease_close_direction(inout crease_gathered gathered, crease_march march, crease_receiver receiver, vec2 direction);
@@ -19,11 +20,27 @@ crease_contribution crease_combine_layers(crease_march march, crease_receiver re
 __LINE__, R"glsl("
 #endif
 
-// The loop of every technique in two: the front surface of each tap, and then, of each batch of taps, the layers behind
-// the first front surfaces where they may matter. Nothing branches on what is found, so no lane waits for another.
+// Gathers in two rounds: all front surfaces first, then for each batch of taps the layers behind the first few fronts that
+// may hide some. No branch depends on the picture, so lanes do not diverge.
 const int crease_most_batches = 16; // kept together: those of the most steps of a direction
 const int crease_most_looks = crease_most_batches * crease_batch_size;
 const int crease_most_layers_kept = 128; // of all looks, where all directions are kept together
+
+// Taps that are fetched before any is weighed, so that the waits overlap.
+struct crease_batch {
+    crease_tap taps[crease_batch_size];
+    crease_fetched fetched[crease_batch_size];
+};
+
+crease_batch crease_fetch_batch(inout crease_pattern pattern, crease_receiver receiver, int first, int count) {
+    crease_batch batch;
+    crease_unroll for (int i = 0; i < crease_batch_size; ++i)
+        if (i < count) {
+            batch.taps[i] = crease_pattern_tap(pattern, receiver, first + i);
+            batch.fetched[i] = crease_fetch(batch.taps[i].texel);
+        }
+    return batch;
+}
 
 // A batch of the directions, counted through all of them: where it begins in its direction, and how many taps it has.
 int crease_batches() { return (crease_step_count() + crease_batch_size - 1) / crease_batch_size; }

@@ -4,7 +4,6 @@ __LINE__, R"glsl("
 #endif
 
 // An orthographic projection, centred or not; depth standard or reversed.
-
 float crease_linear_depth(float device) {
     float depth = device * crease_view.depth_unpack.x + crease_view.depth_unpack.y;
     return depth < crease_view.far_depth ? depth : crease_background; // the far plane occludes nothing

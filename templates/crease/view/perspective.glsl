@@ -4,7 +4,6 @@ __LINE__, R"glsl("
 #endif
 
 // A perspective projection, centred or not; depth standard, reversed or infinite: stochastic-depth-ao 4.4.
-
 float crease_linear_depth(float device) {
     float inverse = device * crease_view.depth_unpack.x + crease_view.depth_unpack.y;
     return inverse * crease_view.far_depth > 1.0 ? 1.0 / inverse : crease_background; // the far plane occludes nothing

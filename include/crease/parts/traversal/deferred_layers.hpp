@@ -35,10 +35,10 @@ struct deferred_layers_part : front_part {
     };
 };
 
-/// Layer traversal: all front surfaces first, and then the layers behind the first `Looks` of each four taps in a
-/// row where they may matter; first is nearest to the receiver. Its cost does not depend on the picture. What
-/// lies behind a front surface counts from the horizon of the whole direction, so an estimator finds a little
-/// less than with `front_first`.
+/// Layer traversal: all front surfaces first, and then the layers behind the first `Looks` of each four taps
+/// in a row where they may add occlusion, nearest to the receiver first. Its cost does not depend on the
+/// picture. Hidden layers are compared with the direction's final horizon, so this underestimates slightly
+/// against `front_first`.
 template <int Angle = 1, int Looks = 1>
 struct deferred_layers : deferred_layers_part {
     static constexpr int numbers[] = {Angle, Looks};

@@ -5,28 +5,27 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 namespace {
 
 using namespace crease;
 
-using bent = effect<directions<>, single_layer, hbao, bilateral<>, bent_cone>;
-static_assert(bent::resources[bent::resources.size() - 2].name == "visibility");
+using bent = effect<directions<4, 4>, single_layer, hbao, bilateral<>, bent_cone>;
 static_assert(bent::resources.back().name == "bent_cone");
 static_assert(bent::resources.back().texels == format::rgba16_float);
-static_assert(!recipe("poisson_disk/single_layer/hbao_plus/bent_cone"));
+static_assert(bent::resources[bent::resources.size() - 2].name == "visibility");
+static_assert(recipe("directions/single_layer/hbao/bent_cone"));
+static_assert(!recipe("sphere_lines/single_layer/line_volume/bent_cone")); // knows no open directions
+static_assert(!recipe("directions/single_layer/hbao/bent_cone/shade"));
 
 }
 
-TEST_CASE("a bent cone leaves beside visibility, and is kept in two words between passes") {
-    const binding& between = bent::passes[0].bindings.back();
-    CHECK(bent::resources[between.resource].texels == format::rg32_uint);
-    CHECK(bent::passes.back().bindings.back().name == "bent_cone");
-    CHECK(contains(bent::source<2>, "crease_encode_visibility(result)"));
-    CHECK(contains(bent::source<2>, "imageStore(crease_bent_cone, pixel, crease_encode_bent_cone(result));"));
-}
-
-TEST_CASE("the open directions are gathered with bent cones, and not without") {
-    using plain = effect<directions<>, single_layer, hbao>;
-    CHECK(contains(bent::source<0>, "crease_open_direction"));
-    CHECK_FALSE(contains(plain::source<0>, "crease_open_direction"));
+TEST_CASE("bent_cone leaves with visibility, and is kept whole between passes") {
+    CHECK(contains(bent::source<0>(), "crease_turned_normal(receiver, direction, cosine, sine)"));
+    CHECK(contains(bent::source<0>(), "vec3(0.0, 0.0, 1.0), 1.57079633)")); // background is open all around
+    CHECK(contains(bent::source<2>(), "imageStore(crease_bent_cone, pixel, crease_encode_bent_cone(result));"));
+    const auto r = std::ranges::find(bent::resources, "between_0", &resource::name);
+    REQUIRE(r != bent::resources.end());
+    CHECK(r->texels == format::rg32_uint);
 }

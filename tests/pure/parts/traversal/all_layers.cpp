@@ -9,15 +9,15 @@ namespace {
 
 using namespace crease;
 
+using by_default = effect<directions<4, 4>, stochastic_layers<4>, hbao>;
 static_assert(offers<all_layers, any_view>);
+static_assert(recipe("sample_box/summed_area/mean_height")); // whose default is another
 static_assert(!recipe("sample_box/summed_area/mean_height/all_layers"));
 
 }
 
-TEST_CASE("all_layers is the traversal where none is named, and combines by the greatest where nothing else is said") {
-    using named = effect<directions<>, stochastic_layers<>, hbao_plus, all_layers>;
-    using unnamed = effect<directions<>, stochastic_layers<>, hbao_plus>;
-    CHECK(without_recipe(named::source<2>) == without_recipe(unnamed::source<2>));
-    CHECK(has_part_of(unnamed::passes.back(), "traversal/all_layers.glsl"));
-    CHECK(has_part_of(unnamed::passes.back(), "core/combine.glsl"));
+TEST_CASE("all_layers is the default, and keeps what lies at the depth image too") {
+    CHECK(contains(by_default::source<2>(), "crease_combine_first_layers"));
+    CHECK(contains(by_default::source<1>(), "return depth >= front - 1e-4 * front;"));
+    CHECK(by_default::passes.size() == 3); // captured, packed, looked at
 }

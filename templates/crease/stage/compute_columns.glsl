@@ -6,7 +6,7 @@ __LINE__, R"glsl("
 // The workgroup's place: in columns that are so many wide, as a texel has left the cache when a row of a large picture
 // comes to it again. Quotients are of floats, as many devices have none of whole numbers.
 uvec2 crease_workgroup() {
-    const float width = float(crease_workgroup_columns);
+    const float width = float(crease_compute_columns_across);
     vec2 groups = vec2(uvec2(crease_size(crease_divisor) - 1) / gl_WorkGroupSize.xy + 1u);
     float index = float(gl_WorkGroupID.y) * groups.x + float(gl_WorkGroupID.x);
     float column = floor((index + 0.5) / (width * groups.y)), within = index - column * width * groups.y;
