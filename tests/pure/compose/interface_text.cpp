@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <crease/interface_text.hpp>
+#include <crease/compose/interface_text.hpp>
 
 #include <doctest/doctest.h>
 
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -29,29 +30,24 @@ TEST_CASE("words of every length follow each other at every byte of a word") {
 }
 
 TEST_CASE("numbers are written with all their digits") {
-    for (int number : {0, 7, 10, 99, 100, 1023, 12345678, 99999999, 100000000, 100000007, 2147483647}) {
+    for (int number : {0, 7, 10, 99, 100, 1023, 12345678, 99999999, 100000000, 100000007, 2147483647, -1, -10,
+                       std::numeric_limits<int>::min() + 1}) {
         crease::interface_text text;
         text << "x" << number << ";";
         CHECK(written(text) == "x" + std::to_string(number) + ";");
-        CHECK(crease::digits_of(number) == std::to_string(number).size());
     }
+    crease::interface_text text;
+    text << 4294967295u;
+    CHECK(written(text) == "4294967295");
 }
 
-TEST_CASE("an open number leaves a gap") {
+TEST_CASE("a text fits up to its last character, and what does not is left out") {
     crease::interface_text text;
-    text << "one " << crease::open_number::of(0, 0) << ", two " << crease::open_number::of(2, 1) << ";\n";
-    CHECK(written(text) == "one , two ;\n");
-    REQUIRE(text.gaps().size() == 2);
-    CHECK(text.gaps()[0].before == 4);
-    CHECK(text.gaps()[0].number == crease::open_number::of(0, 0));
-    CHECK(text.gaps()[1].before == 6);
-    CHECK(text.gaps()[1].number == crease::open_number::of(2, 1));
-    CHECK(text.after_gaps() == 2);
-}
-
-TEST_CASE("what does not fit is left out") {
-    crease::interface_text text;
-    for (int i = 0; i < 1000; ++i)
+    for (std::size_t i = 0; i < crease::interface_text::most_characters / 8; ++i)
         text << "eight...";
+    CHECK(text.size() == crease::interface_text::most_characters);
+    CHECK_FALSE(text.is_cut());
+    text << "x";
+    CHECK(text.is_cut());
     CHECK(text.size() == crease::interface_text::most_characters);
 }
