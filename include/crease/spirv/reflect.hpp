@@ -153,12 +153,11 @@ private:
         b.kind = uniform ? binding_kind::uniform_block : binding_kind::storage_block;
         if (uniform)
             b.writable = false;
-        b.name = module_.name_of(block.result);  // by which a host knows it
-        bool readable = false, writable = false; // `readonly` of a block is said of its members
+        else
+            read_access(b, block);
+        b.name = module_.name_of(block.result); // by which a host knows it
         for (std::uint32_t i = 0; i + 2 < block.operands.size(); ++i) {
             const int member = static_cast<int>(i);
-            readable = readable || !has(block.result, spv::DecorationNonReadable, member);
-            writable = writable || !has(block.result, spv::DecorationNonWritable, member);
             const auto name = module_.member_names.find({block.result, i});
             const std::uint32_t offset =
                 module_.decoration(block.result, spv::DecorationOffset, member).value_or(0);
@@ -166,10 +165,19 @@ private:
             const auto matrix_stride = module_.decoration(block.result, spv::DecorationMatrixStride, member);
             b.size = std::max(b.size, offset + size_of(block[2 + i], matrix_stride.value_or(0)));
         }
-        b.readable = b.readable && readable;
-        b.writable = b.writable && writable;
         if (uniform)
             b.size = (b.size + 15) / 16 * 16;
+    }
+
+    /// Of a storage block the members say how it is accessed.
+    void read_access(bound_resource& b, const instruction& block) const {
+        bool readable = false, writable = false;
+        for (std::uint32_t i = 0; i + 2 < block.operands.size(); ++i) {
+            readable = readable || !has(block.result, spv::DecorationNonReadable, static_cast<int>(i));
+            writable = writable || !has(block.result, spv::DecorationNonWritable, static_cast<int>(i));
+        }
+        b.readable = b.readable && readable;
+        b.writable = b.writable && writable;
     }
 
     /// Bytes of a type within a block; of a runtime array 0.
