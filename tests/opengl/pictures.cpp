@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What programs for OpenGL make is what those for Vulkan make of the same depth.
 #include "host.hpp"
-#include "hosted_functions.hpp"
+#include "hosted_effect.hpp"
 #include "small_corner.hpp"
 
 #include <crease/vulkan/runner.hpp>
@@ -67,6 +67,14 @@ TEST_CASE("fragment passes for OpenGL give the picture of those for Vulkan") {
     }
 }
 
+TEST_CASE("texel fetches and image loads give the same picture in OpenGL") {
+    for (const std::string text : {recipes[0], recipes[1], recipes[3]}) {
+        CAPTURE(text);
+        const composition fetching{recipe(text + "/opengl")}, loading{recipe(text + "/opengl/image_load")};
+        CHECK(by_opengl(loading, "visibility") == by_opengl(fetching, "visibility"));
+    }
+}
+
 TEST_CASE("a pass for OpenGL stores to all its images") {
     const std::string text = "directions:6x4/single_layer/hbao/reconstructed_normals/bent_cone/bilateral:2";
     const composition vulkan{recipe(std::string_view(text))};
@@ -86,7 +94,7 @@ TEST_CASE("a host's compute shader around functions for OpenGL gives that pictur
                                    "sample_box/summed_area:2/mean_height/reconstructed_normals"}) {
         CAPTURE(text);
         const composition vulkan{recipe(std::string_view(text))};
-        const hosted_functions opengl(text + "/functions:0x1/opengl", functions_host);
+        const hosted_effect opengl(text + "/functions:0x1/opengl", functions_host);
         CHECK(small_corner::largest_difference(by_opengl(opengl.view(), "visibility"),
                                                by_vulkan(vulkan, "visibility")) <= small_corner::a_step);
     }

@@ -21,7 +21,7 @@ constexpr double one_step = 1.0 / 255;
 
 /// What an effect that has run on a picture leaves.
 struct rendered {
-    crease::parameters how;
+    oracle::settings settings;
     std::vector<float> visibility, tables, range;
 };
 
@@ -31,7 +31,8 @@ rendered render(const oracle::picture& p, const std::string& text, double radius
     const crease::parameters how = oracle::view_parameters(p, composed, radius);
     oracle::upload(runner, composed, p);
     runner.run(how);
-    return {how, runner.download("visibility"), runner.download("area_tables"), runner.download("range")};
+    return {oracle::settings_of(how, composed), runner.download("visibility"), runner.download("area_tables"),
+            runner.download("range")};
 }
 
 /// The sums of a layer of a recipe's tables, with the centring undone: `before(x, y)` is exclusive.
@@ -178,8 +179,7 @@ TEST_CASE("each texel is in exactly one adaptive layer, and the layers' sums are
                                           std::to_string(divisor) + "/mean_height",
                                       0.5);
             const oracle::area_texels t = oracle::downsample(p, divisor);
-            const oracle::layering expected =
-                oracle::adaptive_layers(p, t, oracle::settings_of(r.how), layers);
+            const oracle::layering expected = oracle::adaptive_layers(p, t, r.settings, layers);
             double elsewhere = 0;
             for (int y = 0; y < t.height; ++y)
                 for (int x = 0; x < t.width; ++x) {
@@ -229,7 +229,7 @@ oracle::difference differ(const std::string& source, int divisor, lens projectio
                               "sample_box/" + source + "/mean_height:" + (oriented ? "1" : "0") + parts +
                                   (projection == lens::orthographic ? "/orthographic" : ""),
                               0.5);
-    const oracle::settings s = oracle::settings_of(r.how);
+    const oracle::settings s = r.settings;
     const oracle::area_texels t = oracle::downsample(p, divisor);
     const sums_of_area sums = prepare(p, t, s);
     const auto expected = oracle::main_pass(p, s, 1, false, [&](const oracle::receiver& each) {
@@ -307,7 +307,7 @@ TEST_CASE("more uniform layers come nearer to the volume that is not layered") {
     for (int layers : {4, 16, 64}) {
         const rendered r =
             render(p, "sample_box/summed_area_uniform:" + std::to_string(layers) + "/mean_height", 0.5);
-        const oracle::settings s = oracle::settings_of(r.how);
+        const oracle::settings s = r.settings;
         const oracle::area_texels t = oracle::downsample(p, 1);
         // Each texel of the area is a layer of its own.
         const auto expected = oracle::main_pass(p, s, 1, false, [&](const oracle::receiver& each) {

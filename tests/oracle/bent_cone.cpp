@@ -28,7 +28,7 @@ std::vector<float> texels_of(const oracle::picture& p, const std::string& text, 
     REQUIRE_MESSAGE(static_cast<bool>(chosen), chosen.error());
     const auto composed = std::make_unique<crease::composition>(chosen);
     crease::parameters how = oracle::view_parameters(p, composed->view(), radius);
-    how.bias = static_cast<float>(bias);
+    oracle::set(how, composed->view(), "bias", bias);
     return oracle::run(p, composed->view(), how, image);
 }
 

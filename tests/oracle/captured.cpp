@@ -101,26 +101,29 @@ layer_capture::layer_capture(const std::string& parts, unsigned samples, unsigne
     : projection_(clip_from_view(seen_by, static_cast<double>(width) / height)),
       composed_(compose("directions:1x1/stochastic_layers:" + std::to_string(samples) + "/hbao/" + parts +
                         (seen_by == lens::orthographic ? "/orthographic" : ""))),
-      runner_(device(), *composed_, width, height), how_(composed_->view().defaults),
-      capturer_(device(), *composed_, 0, runner_,
-                {.vertex = vertex,
-                 .fragment = fragment,
-                 .push_constant_bytes = sizeof(transforms),
-                 .reversed_depth = is_reversed(seen_by)}) {
+      runner_(device(), *composed_, width, height),
+      how_(composed_->view().defaults), host_{.vertex = vertex,
+                                              .fragment = fragment,
+                                              .push_constant_bytes = sizeof(transforms),
+                                              .reversed_depth = is_reversed(seen_by)} {
     float matrix[16];
     std::copy_n(glm::value_ptr(projection_), 16, matrix);
     REQUIRE(crease::set_projection(how_.view, matrix, width, height));
+    const std::size_t texels = std::size_t{width} * height;
+    runner_.upload("depth", std::vector<float>(texels, host_.reversed_depth ? 1.0f : 0.0f));
+    runner_.upload("normal", std::vector<float>(4 * texels, 1.0f));
 }
 
 void layer_capture::draw(const triangles& scene, const capture_settings& how) {
     std::vector<float> numbers; // with a normal, which no shader here reads
     for (const glm::vec3& p : scene)
         numbers.insert(numbers.end(), {p.x, p.y, p.z, 0, 0, 1});
-    how_.opacity = how.opacity;
+    set(how_, *composed_, "opacity", how.opacity);
     how_.frame = how.frame;
     const transforms pushed{projection_, glm::vec4(how.moved, 0)};
     const crease::vulkan::mesh drawn(device(), numbers);
-    capturer_.draw(drawn, how_, std::as_bytes(std::span(&pushed, 1)));
+    runner_.set_geometry("capture_layers", host_, drawn, std::as_bytes(std::span(&pushed, 1)));
+    runner_.run(how_);
 }
 
 }

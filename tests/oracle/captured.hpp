@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "given_layers.hpp"
 #include "run.hpp"
 
 namespace oracle {
@@ -17,7 +18,7 @@ std::vector<surface> balls();
 /// The balls before a wall, with at most so many layers at a texel.
 picture many_layers(lens kind, int width, int height, std::size_t most);
 
-/// Corners of triangles in view space, as a capture draws them.
+/// Corners of triangles in view space, as a geometry pass draws them.
 using triangles = std::vector<glm::vec3>;
 
 /// Adds a parallelogram with a corner at `at`.
@@ -35,23 +36,22 @@ struct capture_settings {
     glm::vec3 moved{0}; ///< by how much the anchors are from the positions
 };
 
-/// Draws triangles so that they fill the layers of an effect.
+/// Draws triangles so that they fill the layers of an effect, all of which lie behind its depth image.
 class layer_capture {
 public:
-    /// @param parts  of the capture and the fold, e.g. "atomic_minimum/stratified"
+    /// @param parts  the layer storage and coverage, e.g. "atomic_minimum/stratified"
     layer_capture(const std::string& parts, unsigned samples, unsigned width, unsigned height,
                   lens seen_by = lens::standard);
 
     void draw(const triangles& scene, const capture_settings& how);
     crease::vulkan::runner& runner() { return runner_; }
-    const crease::parameters& parameters() const { return how_; }
 
 private:
     glm::mat4 projection_;
     std::unique_ptr<crease::composition> composed_;
     crease::vulkan::runner runner_;
     crease::parameters how_;
-    crease::vulkan::capturer capturer_;
+    crease::vulkan::geometry_shaders host_;
 };
 
 }

@@ -9,7 +9,7 @@
 
 namespace oracle {
 
-/// The settings of an effect, as crease::parameters names them.
+/// The settings of an effect, as its parts name them.
 struct settings {
     double radius = 1, bias = 0, threshold = 0, strength = 1, exponent = 1, sharpness = 8, falloff = 1;
     std::uint32_t frame = 0;
@@ -28,7 +28,7 @@ struct tap {
     double weight = 1;     ///< in a mean over the taps
 };
 
-/// How a fold comes to the layers behind the front ones: after all fronts of their direction, or where
+/// How a traversal comes to the layers behind the front ones: after all fronts of their direction, or where
 /// `looks` is 0 each tap looks at all layers at once.
 struct deferral {
     unsigned looks = 0; ///< taps of each four steps behind which to look

@@ -19,7 +19,7 @@ TEST_CASE("every frame has noise of its own, hashed or tiled") {
             for (std::uint32_t frame : {1u, 2u, 1000u}) {
                 CAPTURE(frame);
                 how.frame = frame;
-                oracle::settings s = oracle::settings_of(how);
+                oracle::settings s = oracle::settings_of(how, *composed);
                 s.tile = *noise == 0 ? 0 : noise[std::string(noise).size() - 1] == '3' ? 3 : 4;
                 const auto expected = oracle::main_pass(
                     p, s, 1, false, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });

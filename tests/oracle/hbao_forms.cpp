@@ -54,8 +54,8 @@ std::vector<float> run(const oracle::picture& p, const std::string& parts, doubl
     const std::string text = fmt::format("directions:{}x{}/single_layer/hbao{}", slices, steps, parts);
     const auto composed = oracle::compose(text);
     crease::parameters how = oracle::view_parameters(p, composed->view(), radius);
-    how.strength = 1;
-    how.bias = static_cast<float>(bias);
+    oracle::set(how, composed->view(), "strength", 1);
+    oracle::set(how, composed->view(), "bias", bias);
     return oracle::run(p, composed->view(), how);
 }
 
@@ -146,8 +146,8 @@ TEST_CASE("beside a step, by HBAO's integral") {
         lens::orthographic, 400, 267);
     const auto composed = oracle::compose("directions:64x64/single_layer/hbao/orthographic");
     crease::parameters how = oracle::view_parameters(p, composed->view(), radius);
-    how.strength = 1;
-    how.bias = static_cast<float>(bias);
+    oracle::set(how, composed->view(), "strength", 1);
+    oracle::set(how, composed->view(), "bias", bias);
     const std::vector<float> image = oracle::run(p, composed->view(), how);
     for (int x : {120, 150, 170, 190}) {
         const double distance = -p.position(x, 133).x;

@@ -51,7 +51,7 @@ TEST_CASE("holes in linear depth are background") {
                 oracle::upload(runner, *composed, p);
                 runner.upload("depth", linear);
                 runner.run(how);
-                const oracle::settings s = oracle::settings_of(how);
+                const oracle::settings s = oracle::settings_of(how, *composed);
                 const auto expected = oracle::main_pass(
                     p, s, 1, false, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });
                 oracle::check_within(oracle::compare(runner.download("visibility"), expected),
@@ -66,9 +66,10 @@ TEST_CASE("holes among captured layers are no layers") {
     const auto composed =
         oracle::compose(t.sampler + "/stochastic_layers:6/" + t.estimator + "/atomic_minimum");
     const crease::parameters how = oracle::view_parameters(p, *composed, 0.8);
-    crease::vulkan::runner runner(oracle::device(), *composed, static_cast<unsigned>(p.width),
+    const given_layers given(*composed);
+    crease::vulkan::runner runner(oracle::device(), given, static_cast<unsigned>(p.width),
                                   static_cast<unsigned>(p.height));
-    oracle::upload(runner, *composed, p);
+    oracle::upload(runner, given, p);
     // Three samples hold the layers of the texel and three are holes.
     std::vector<std::uint32_t> bits;
     for (unsigned s = 0; s < 6; ++s)
@@ -82,9 +83,9 @@ TEST_CASE("holes among captured layers are no layers") {
             }
     for (std::vector<float>& behind : p.hidden)
         behind.resize(std::min<std::size_t>(behind.size(), 2));
-    crease::vulkan::upload(oracle::device(), runner.image_of("captured_layers"), bits);
+    runner.upload("captured_layers", bits);
     runner.run(how);
-    const oracle::settings s = oracle::settings_of(how);
+    const oracle::settings s = oracle::settings_of(how, *composed);
     const auto expected =
         oracle::main_pass(p, s, 1, false, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });
     oracle::check_within(oracle::compare(runner.download("visibility"), expected), oracle::of_rounding);

@@ -69,13 +69,7 @@ double depth_at(const oracle::picture& p, glm::dvec2 point) {
 
 /// The layers of each texel that are left after packing, nearest first.
 std::vector<std::vector<double>> packed(oracle::layer_capture& capture) {
-    crease::vulkan::runner& runner = capture.runner();
-    const bool reversed = capture.parameters().view.depth_unpack[0] > 0;
-    // A depth image that is nearer than all layers, so that all are packed.
-    runner.upload("depth", std::vector<float>(std::size_t{width} * height, reversed ? 1.0f : 0.0f));
-    runner.upload("normal", std::vector<float>(std::size_t{width} * height * 4, 1.0f));
-    runner.run(capture.parameters());
-    const std::vector<float> four = runner.download("packed_layers");
+    const std::vector<float> four = capture.runner().download("packed_layers");
     std::vector<std::vector<double>> layers;
     for (std::size_t i = 0; i < four.size(); i += 4) {
         layers.emplace_back();

@@ -277,12 +277,13 @@ TEST_CASE("what something occludes, by the integral that each estimator stands f
                 f.recipe + "/tiled_noise" + (of.seen_by == lens::orthographic ? "/orthographic" : "");
             auto& [composed, runner] = oracle::prepare(recipe, p);
             crease::parameters how = oracle::view_parameters(p, composed, f.size * of.radius);
-            how.strength = how.exponent = 1;
+            oracle::set(how, composed, "strength", 1);
+            oracle::set(how, composed, "exponent", 1);
             oracle::upload(runner, composed, p);
             runner.run(how);
             const std::vector<float> image = runner.download("visibility");
             for (const glm::ivec2 block : of.receivers) {
-                place at{of, p, oracle::settings_of(how), glm::dvec2(block) + 2.0, {}};
+                place at{of, p, oracle::settings_of(how, composed), glm::dvec2(block) + 2.0, {}};
                 at.r.position = seen(of, p, at.texel, &at.r.normal);
                 at.r.to_eye = p.to_eye(at.r.position);
                 double mean = 0; // over all places of the tile of the noise

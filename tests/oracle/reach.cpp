@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// front_reach: a front surface that is nearer to the receiver than so many radii settles its tap, and nothing
+// reach: a front surface that is nearer to the receiver than so many radii settles its tap, and nothing
 // behind it is looked at.
 #include "captured.hpp"
 
@@ -36,11 +36,10 @@ double settled(oracle::picture& p, const oracle::receiver& r, const taps& all, d
 }
 
 /// The visibility by the oracle, of an estimator by its name in recipes.
-oracle::visibility_image expect(oracle::picture& p, const oracle::settings& s, double front_reach,
-                                bool horizons) {
+oracle::visibility_image expect(oracle::picture& p, const oracle::settings& s, double reach, bool horizons) {
     return oracle::main_pass(p, s, 1, false, [&](const oracle::receiver& r) {
         const taps all = oracle::directions(p, r, s, 6, 4, 1);
-        return settled(p, r, all, front_reach * s.radius, [&] {
+        return settled(p, r, all, reach * s.radius, [&] {
             return horizons ? oracle::hbao(p, r, s, all) : oracle::hbao_plus(p, r, s, all);
         });
     });
@@ -48,34 +47,34 @@ oracle::visibility_image expect(oracle::picture& p, const oracle::settings& s, d
 
 }
 
-TEST_CASE("within front_reach the front surface settles its tap") {
+TEST_CASE("within its reach the front surface settles its tap") {
     oracle::picture p = oracle::many_layers(oracle::lens::standard, 97, 61, 6);
     for (const bool horizons : {true, false})
         // Deferred layers of HBAO count from the horizon of all fronts of their direction, which is tested
         // apart.
-        for (const std::string fold : {"front_first:0", "deferred_layers:0x4"}) {
-            if (horizons && fold == "deferred_layers:0x4")
+        for (const std::string traversal : {"front_first:0", "deferred_layers:0x4"}) {
+            if (horizons && traversal == "deferred_layers:0x4")
                 continue;
-            const auto composed =
-                oracle::compose("directions:6x4x1/stochastic_layers:6/" +
-                                std::string(horizons ? "hbao" : "hbao_plus") + "/atomic_minimum/" + fold);
-            crease::vulkan::runner runner(oracle::device(), *composed, static_cast<unsigned>(p.width),
+            const auto composed = oracle::compose("directions:6x4x1/stochastic_layers:6/" +
+                                                  std::string(horizons ? "hbao" : "hbao_plus") +
+                                                  "/atomic_minimum/" + traversal);
+            const given_layers given(*composed);
+            crease::vulkan::runner runner(oracle::device(), given, static_cast<unsigned>(p.width),
                                           static_cast<unsigned>(p.height));
-            oracle::upload(runner, *composed, p);
-            crease::vulkan::upload(oracle::device(), runner.image_of("captured_layers"),
-                                   oracle::share_out(p, 6));
+            oracle::upload(runner, given, p);
+            runner.upload("captured_layers", oracle::share_out(p, 6));
             std::vector<float> without;
             for (float reach : {0.0f, 0.3f, 0.7f, 1.0f}) {
                 CAPTURE(horizons);
-                CAPTURE(fold);
+                CAPTURE(traversal);
                 CAPTURE(reach);
                 crease::parameters how = oracle::view_parameters(p, *composed, 2);
-                how.front_reach = reach;
+                oracle::set(how, *composed, "reach", reach);
                 runner.run(how);
                 const std::vector<float> image = runner.download("visibility");
-                oracle::check_within(
-                    oracle::compare(image, expect(p, oracle::settings_of(how), double{reach}, horizons)),
-                    mostly_occluded);
+                oracle::check_within(oracle::compare(image, expect(p, oracle::settings_of(how, *composed),
+                                                                   double{reach}, horizons)),
+                                     mostly_occluded);
                 std::size_t other = 0;
                 for (std::size_t i = 0; i < without.size(); ++i)
                     other += image[i] != without[i];

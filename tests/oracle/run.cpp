@@ -86,15 +86,26 @@ std::vector<float> run(const picture& p, const std::string& recipe_text, double 
     return runner.download("visibility");
 }
 
-settings settings_of(const crease::parameters& how) {
-    return {.radius = how.radius,
-            .bias = how.bias,
-            .threshold = how.threshold,
-            .strength = how.strength,
-            .exponent = how.exponent,
-            .sharpness = how.sharpness,
-            .falloff = how.falloff,
-            .frame = how.frame};
+void set(crease::parameters& how, const crease::effect_view& effect, std::string_view name, double value) {
+    REQUIRE_MESSAGE(crease::set(how, effect.settings, name, static_cast<float>(value)), name);
+}
+
+settings settings_of(const crease::parameters& how, const crease::effect_view& effect) {
+    struct named {
+        std::string_view name;
+        double settings::*field;
+    };
+    settings found{.radius = how.radius, .frame = how.frame};
+    for (const named& each : {named{"bias", &settings::bias},
+                              {"threshold", &settings::threshold},
+                              {"strength", &settings::strength},
+                              {"exponent", &settings::exponent},
+                              {"sharpness", &settings::sharpness},
+                              {"falloff", &settings::falloff}})
+        for (std::size_t i = 0; i < effect.settings.size(); ++i)
+            if (effect.settings[i].is(each.name))
+                found.*each.field = double{how.settings[i]};
+    return found;
 }
 
 difference compare(const std::vector<float>& shader, const std::vector<double>& expected, int width) {

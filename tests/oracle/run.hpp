@@ -43,8 +43,11 @@ std::vector<float> run(const picture& p, const crease::effect_view& effect, cons
 /// The same for a recipe; its defaults and this radius.
 std::vector<float> run(const picture& p, const std::string& recipe_text, double radius);
 
-/// The settings that the oracle needs, out of the parameters.
-settings settings_of(const crease::parameters& how);
+/// Sets a setting of an effect, e.g. "bias"; one that it lacks, or a value out of its range, fails the test.
+void set(crease::parameters& how, const crease::effect_view& effect, std::string_view name, double value);
+
+/// The settings that the oracle needs, out of the parameters of an effect.
+settings settings_of(const crease::parameters& how, const crease::effect_view& effect);
 
 /// The oracle's picture of a main pass, at 1 / `divisor` of the size of `p`.
 template <class Occlusion>

@@ -56,18 +56,17 @@ TEST_CASE("a second camera adds what it sees alone, be it a part, nothing or wha
             oracle::draw(turned(oracle::balls(), camera.from_first), lens::orthographic, width, height);
         const auto composed = oracle::compose(recipe + "/second_view:1");
         crease::parameters how = oracle::view_parameters(first, *composed, 1.5);
-        how.second_view = how.view;
+        how.further_views[0].view = how.view;
         const glm::mat4 turn(camera.from_first);
-        std::copy_n(glm::value_ptr(turn), 16, how.second_from_first);
-        crease::vulkan::runner runner(oracle::device(), *composed, width, height);
-        oracle::upload(runner, *composed, first);
-        crease::vulkan::upload(oracle::device(), runner.image_of("captured_layers"),
-                               oracle::share_out(first, samples));
-        crease::vulkan::upload(oracle::device(), runner.image_of("second_captured_layers"),
-                               oracle::share_out(second, samples));
+        std::copy_n(glm::value_ptr(turn), 16, how.further_views[0].from_first);
+        const given_layers given(*composed);
+        crease::vulkan::runner runner(oracle::device(), given, width, height);
+        oracle::upload(runner, given, first);
+        runner.upload("captured_layers", oracle::share_out(first, samples));
+        runner.upload("captured_layers_1", oracle::share_out(second, samples));
         runner.run(how);
 
-        const oracle::settings s = oracle::settings_of(how);
+        const oracle::settings s = oracle::settings_of(how, *composed);
         std::size_t by_second = 0;
         const auto expected = oracle::main_pass(first, s, 1, false, [&](const oracle::receiver& r) {
             const double own = oracle::hbao_plus(first, r, s, oracle::directions(first, r, s, 6, 4));
@@ -95,15 +94,15 @@ TEST_CASE("a second camera that sees nothing leaves the picture of the first") {
     const auto run = [&](const std::string& text, const glm::mat4& turn) {
         const auto composed = oracle::compose(text);
         crease::parameters how = oracle::view_parameters(first, *composed, 1.5);
-        how.second_view = how.view;
-        std::copy_n(glm::value_ptr(turn), 16, how.second_from_first);
-        crease::vulkan::runner runner(oracle::device(), *composed, width, height);
-        oracle::upload(runner, *composed, first);
-        crease::vulkan::upload(oracle::device(), runner.image_of("captured_layers"),
-                               oracle::share_out(first, samples));
+        how.further_views[0].view = how.view;
+        std::copy_n(glm::value_ptr(turn), 16, how.further_views[0].from_first);
+        const given_layers given(*composed);
+        crease::vulkan::runner runner(oracle::device(), given, width, height);
+        oracle::upload(runner, given, first);
+        runner.upload("captured_layers", oracle::share_out(first, samples));
         if (text != one)
-            crease::vulkan::upload(
-                oracle::device(), runner.image_of("second_captured_layers"),
+            runner.upload(
+                "captured_layers_1",
                 std::vector<std::uint32_t>(std::size_t{width} * height * samples, oracle::kept_nothing));
         runner.run(how);
         return runner.download("visibility");

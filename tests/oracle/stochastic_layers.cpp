@@ -22,17 +22,17 @@ using oracle::techniques;
 
 std::vector<float> run_with_all(const oracle::picture& p, const crease::effect_view& effect,
                                 const crease::parameters& how, unsigned samples) {
-    crease::vulkan::runner runner(oracle::device(), effect, static_cast<unsigned>(p.width),
+    const given_layers given(effect);
+    crease::vulkan::runner runner(oracle::device(), given, static_cast<unsigned>(p.width),
                                   static_cast<unsigned>(p.height));
-    oracle::upload(runner, effect, p);
-    crease::vulkan::upload(oracle::device(), runner.image_of("captured_layers"),
-                           oracle::share_out(p, samples));
+    oracle::upload(runner, given, p);
+    runner.upload("captured_layers", oracle::share_out(p, samples));
     runner.run(how);
     return runner.download("visibility");
 }
 
 /// How a technique's effect over six samples that share out all layers differs from the oracle's.
-/// @param reach  front_reach, radii
+/// @param reach  within which a front surface settles its tap, radii; else the default
 /// @param turn  added to the normals
 oracle::difference differ(const technique& t, const std::string& parts, lens kind,
                           std::optional<float> reach = {}, glm::vec3 turn = {}) {
@@ -42,8 +42,9 @@ oracle::difference differ(const technique& t, const std::string& parts, lens kin
     const auto composed =
         compose(t.sampler + "/stochastic_layers:6/" + t.estimator + "/atomic_minimum" + parts);
     crease::parameters how = oracle::view_parameters(p, composed->view(), 0.8);
-    how.front_reach = reach.value_or(how.front_reach);
-    const oracle::settings s = oracle::settings_of(how);
+    if (reach)
+        oracle::set(how, *composed, "reach", *reach);
+    const oracle::settings s = oracle::settings_of(how, *composed);
     const auto expected =
         oracle::main_pass(p, s, 1, false, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });
     return oracle::compare(run_with_all(p, composed->view(), how, 6), expected);
@@ -60,13 +61,13 @@ struct census {
     double trials = 0;        ///< samples of all texels
 };
 
-census count_layers(const std::string& sampling, float opacity, unsigned samples) {
+census count_layers(const std::string& coverage, float opacity, unsigned samples) {
     constexpr unsigned side = 160;
     oracle::triangles stack;
     for (float depth : {4.0f, 2.0f, 5.0f, 3.0f}) // drawn in this order
         for (glm::vec3 corner : oracle::wall(depth))
             stack.push_back(corner);
-    oracle::layer_capture capture("atomic_minimum/" + sampling, samples, side, side);
+    oracle::layer_capture capture("atomic_minimum/" + coverage, samples, side, side);
     capture.draw(stack, {.opacity = opacity});
     const std::vector<std::uint32_t> bits = capture.runner().download_uint("captured_layers");
 
@@ -87,7 +88,7 @@ census count_layers(const std::string& sampling, float opacity, unsigned samples
 
 }
 
-TEST_CASE("every estimator folds all layers of a tap by the greatest") {
+TEST_CASE("every estimator combines all layers of a tap by the greatest") {
     for (const technique& t : techniques())
         for (lens kind : {lens::standard, lens::reversed, lens::orthographic}) {
             CAPTURE(t.estimator);
@@ -105,14 +106,15 @@ TEST_CASE("layers after the eighth count too, to the last sample") {
             {oracle::surface::kind::half_plane, {1.2 - 0.25 * i, 0, -2.5 - 0.25 * i}, {0, 0, 1}});
     const oracle::picture p = oracle::draw_all(stairs, lens::standard, 97, 61);
     for (const technique& t : techniques())
-        for (const std::string fold : {"", "/front_first:0"}) {
+        for (const std::string traversal : {"", "/front_first:0"}) {
             CAPTURE(t.estimator);
-            CAPTURE(fold);
+            CAPTURE(traversal);
             const auto composed =
-                compose(t.sampler + "/stochastic_layers:12/" + t.estimator + "/atomic_minimum" + fold);
+                compose(t.sampler + "/stochastic_layers:12/" + t.estimator + "/atomic_minimum" + traversal);
             crease::parameters how = oracle::view_parameters(p, composed->view(), 0.8);
-            how.front_reach = 0;
-            const oracle::settings s = oracle::settings_of(how);
+            if (!traversal.empty())
+                oracle::set(how, *composed, "reach", 0);
+            const oracle::settings s = oracle::settings_of(how, *composed);
             const auto expected = oracle::main_pass(
                 p, s, 1, false, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });
             oracle::check_within(oracle::compare(run_with_all(p, composed->view(), how, 12), expected),
@@ -124,9 +126,9 @@ TEST_CASE(
     "looking at the front first and skipping nothing gives the same; skipping what cannot matter almost") {
     for (const technique& t : techniques()) {
         CAPTURE(t.estimator);
-        for (const std::string fold : {"front_first:0", "front_first:1"}) {
-            CAPTURE(fold);
-            oracle::check_within(differ(t, "/" + fold, lens::standard, 0.0f), oracle::of_rounding);
+        for (const std::string traversal : {"front_first:0", "front_first:1"}) {
+            CAPTURE(traversal);
+            oracle::check_within(differ(t, "/" + traversal, lens::standard, 0.0f), oracle::of_rounding);
         }
     }
 }
@@ -159,9 +161,9 @@ TEST_CASE("layers behind come after all fronts of their direction, of the first 
                                       return of.horizons ? oracle::hbao(p, r, s, taps, how)
                                                          : oracle::hbao_plus(p, r, s, taps, how);
                                   }};
-                const std::string fold =
+                const std::string traversal =
                     "/deferred_layers:" + std::to_string(skip) + "x" + std::to_string(looks);
-                oracle::check_within(differ(t, fold, lens::standard, 0.0f),
+                oracle::check_within(differ(t, traversal, lens::standard, 0.0f),
                                      skip && !of.horizons ? of_ties : oracle::of_rounding);
             }
 }
@@ -176,18 +178,18 @@ TEST_CASE("a front surface settles nothing where the normal looks away from the 
 }
 
 TEST_CASE("a sample keeps layer j with probability alpha (1 - alpha)^(j - 1)") {
-    for (const char* sampling : {"stratified", "simple_hash", "hash_4d"})
+    for (const char* coverage : {"stratified", "simple_hash", "hash_4d"})
         for (float alpha : {0.2f, 0.5f})
             for (unsigned samples : {1u, 4u, 8u, 16u, 32u}) {
-                CAPTURE(std::string(sampling));
+                CAPTURE(std::string(coverage));
                 CAPTURE(alpha);
                 CAPTURE(samples);
-                const census found = count_layers(sampling, alpha, samples);
+                const census found = count_layers(coverage, alpha, samples);
                 for (std::size_t j = 0; j < 4; ++j) {
                     const double p = alpha * std::pow(1.0 - alpha, static_cast<double>(j));
                     // Five standard deviations of independent coins, which hash_4d throws fewer of: see
                     // coverages.cpp.
-                    const double coins = found.trials / (std::string(sampling) == "hash_4d" ? 12 : 1);
+                    const double coins = found.trials / (std::string(coverage) == "hash_4d" ? 12 : 1);
                     const double error = 5 * std::sqrt(p * (1 - p) / coins);
                     CAPTURE(j);
                     CHECK(std::abs(found.kept[j] / found.trials - p) < error);
@@ -232,25 +234,25 @@ TEST_CASE("with opacity 1 a stochastic effect is its single-layer one") {
         MESSAGE(
             "the device lacks VK_EXT_sample_locations for 4 samples: centred_samples is not tested on it");
     for (const technique& t : techniques())
-        for (const char* fold : {"", "/front_first", "/deferred_layers"}) {
-            if (t.estimator == "ssao" && std::string(fold) == "/deferred_layers")
+        for (const char* traversal : {"", "/front_first", "/deferred_layers"}) {
+            if (t.estimator == "ssao" && std::string(traversal) == "/deferred_layers")
                 continue; // it cannot resume at a tap
             CAPTURE(t.estimator);
-            CAPTURE(std::string(fold));
-            CHECK(others(of_courtyard, t, std::string("atomic_minimum") + fold) == 0);
+            CAPTURE(std::string(traversal));
+            CHECK(others(of_courtyard, t, std::string("atomic_minimum") + traversal) == 0);
             // Samples beside the centre of a texel see past an edge that the centre does not, so not the
             // courtyard; and of the two planes of a corner the one that is beside the centre is seen too.
             if (has_samples)
-                CHECK(others(of_corner, t, std::string("multisampled") + fold) <= 240 * 135 / 100);
+                CHECK(others(of_corner, t, std::string("multisampled") + traversal) <= 240 * 135 / 100);
             if (places_samples)
-                CHECK(others(of_courtyard, t, std::string("centred_samples") + fold) == 0);
+                CHECK(others(of_courtyard, t, std::string("centred_samples") + traversal) == 0);
         }
 }
 
-TEST_CASE("the carriers agree, as far as chance lets them") {
+TEST_CASE("the layer storages agree, as far as chance lets them") {
     using namespace crease::tools;
     if ((oracle::device().features().depth_samples & 4) == 0) {
-        MESSAGE("the device lacks depth images of 4 samples: the carriers are not compared on it");
+        MESSAGE("the device lacks depth images of 4 samples: the layer storages are not compared on it");
         return;
     }
     const mesh scene = built_in_scene();
@@ -258,8 +260,8 @@ TEST_CASE("the carriers agree, as far as chance lets them") {
     from.width = 320;
     from.height = 180;
     const gbuffer inputs = rasterise(oracle::device(), scene, from);
-    const auto mean_of = [&](const char* carrier) {
-        const std::string text = std::string("directions:8x4/stochastic_layers:4/hbao/") + carrier;
+    const auto mean_of = [&](const char* storage) {
+        const std::string text = std::string("directions:8x4/stochastic_layers:4/hbao/") + storage;
         const frame made = run_effect(oracle::device(), crease::recipe(std::string_view(text)), inputs,
                                       {.radius = from.ao_radius, .settings = {}});
         double sum = 0;
@@ -275,11 +277,12 @@ TEST_CASE("the carriers agree, as far as chance lets them") {
         MESSAGE("the device lacks VK_EXT_sample_locations for 4 samples: centred_samples is not compared");
 }
 
-TEST_CASE("nothing drawn for a capture is an error, not an empty picture") {
+TEST_CASE("nothing drawn in a geometry pass is an error, not an empty picture") {
     const auto composed = compose("directions:4x4/stochastic_layers:4/hbao/atomic_minimum");
     crease::vulkan::runner runner(oracle::device(), composed->view(), 8, 8);
     runner.upload("depth", std::vector<float>(64, 1.0f));
     runner.upload("normal", std::vector<float>(256, 0.0f));
-    CHECK_THROWS_WITH_AS(runner.run(composed->view().defaults), "nothing was drawn for the capture 'layers'",
+    CHECK_THROWS_WITH_AS(runner.run(composed->view().defaults),
+                         "nothing is drawn in the geometry pass 'capture_layers'; set_geometry says what is",
                          crease::vulkan::error);
 }

@@ -32,8 +32,8 @@ TEST_CASE("a threshold leaves taps out that hardly rise over the tangent plane o
     const std::vector<float> without = oracle::run(p, *composed, how);
     for (float threshold : {0.3f, 0.6f}) {
         CAPTURE(threshold);
-        how.threshold = threshold;
-        const oracle::settings s = oracle::settings_of(how);
+        oracle::set(how, *composed, "threshold", threshold);
+        const oracle::settings s = oracle::settings_of(how, *composed);
         const auto expected = oracle::main_pass(p, s, 1, false, [&](const oracle::receiver& r) {
             return oracle::hbao(p, r, s, oracle::directions(p, r, s, 6, 3));
         });
@@ -53,9 +53,9 @@ TEST_CASE("the threshold of the mean height is how high its box is, and where it
         for (float bias : {0.0f, 0.02f}) {
             CAPTURE(threshold);
             CAPTURE(bias);
-            how.threshold = threshold;
-            how.bias = bias;
-            const oracle::settings s = oracle::settings_of(how);
+            oracle::set(how, *composed, "threshold", threshold);
+            oracle::set(how, *composed, "bias", bias);
+            const oracle::settings s = oracle::settings_of(how, *composed);
             const auto expected = oracle::main_pass(p, s, 1, false, [&](const oracle::receiver& r) {
                 const auto area = oracle::sample_area(p, {r.x + 0.5, r.y + 0.5}, r.position, s.radius);
                 return oracle::mean_height(r, s, oracle::sums_over(p, t, oracle::one_layer(p), 1, area),

@@ -116,7 +116,7 @@ TEST_CASE("points behind the eye of a wide lens say nothing") {
     const oracle::technique& points = oracle::techniques()[0];
     const auto composed = oracle::compose(points.recipe());
     const crease::parameters how = oracle::view_parameters(p, composed->view(), 4);
-    const oracle::settings s = oracle::settings_of(how);
+    const oracle::settings s = oracle::settings_of(how, *composed);
     const auto expected = oracle::main_pass(
         p, s, 1, false, [&](const oracle::receiver& r) { return points.occlusion(p, r, s); });
     oracle::check_within(oracle::compare(oracle::run(p, composed->view(), how), expected),

@@ -26,7 +26,7 @@ std::vector<float> shades(const oracle::picture& p, const std::string& text, flo
     REQUIRE_MESSAGE(static_cast<bool>(chosen), chosen.error());
     const auto composed = std::make_unique<crease::composition>(chosen);
     crease::parameters how = oracle::view_parameters(p, composed->view(), 1);
-    how.threshold = threshold;
+    oracle::set(how, *composed, "threshold", threshold);
     return oracle::run(p, composed->view(), how, image);
 }
 

@@ -129,7 +129,7 @@ TEST_CASE("the second camera is placed to the right and in front, turned to the 
     crease::parameters p;
     crease::place_second_camera(p, 1, 2, 10);
     const auto turned = [&p](float x, float y, float z) {
-        const float* m = p.second_from_first;
+        const float* m = p.further_views[0].from_first;
         return glm::vec3(m[0] * x + m[4] * y + m[8] * z + m[12], m[1] * x + m[5] * y + m[9] * z + m[13],
                          m[2] * x + m[6] * y + m[10] * z + m[14]);
     };

@@ -67,8 +67,8 @@ oracle::difference differ(const technique& t, const std::string& parts, lens see
     REQUIRE_MESSAGE(static_cast<bool>(chosen), chosen.error());
     const auto composed = std::make_unique<crease::composition>(chosen);
     crease::parameters how = oracle::view_parameters(p, composed->view(), 0.5);
-    how.falloff = falloff;
-    oracle::settings s = oracle::settings_of(how);
+    crease::set(how, composed->view().settings, "falloff", falloff); // where the estimator has one
+    oracle::settings s = oracle::settings_of(how, *composed);
     s.tile = tile;
     const oracle::visibility_image expected = oracle::main_pass(
         p, s, 1, reconstructed, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });

@@ -29,7 +29,7 @@ differ(const technique& t, const std::string& parts, lens kind, bool reconstruct
                              (reconstructed ? "/reconstructed_normals" : "");
     const auto composed = oracle::compose(text);
     const crease::parameters how = oracle::view_parameters(p, composed->view(), 0.5);
-    const oracle::settings s = oracle::settings_of(how);
+    const oracle::settings s = oracle::settings_of(how, *composed);
     oracle::visibility_image expected = oracle::main_pass(
         p, s, divisor, reconstructed, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });
     if (filter)
@@ -141,9 +141,9 @@ TEST_CASE("strength and exponent") {
     const oracle::picture p = oracle::draw(oracle::still_life(), lens::standard, 64, 48);
     const auto composed = oracle::compose("directions:6x3/single_layer/hbao");
     crease::parameters how = oracle::view_parameters(p, composed->view(), 0.5);
-    how.strength = 0.7f;
-    how.exponent = 2.5f;
-    const oracle::settings s = oracle::settings_of(how);
+    oracle::set(how, *composed, "strength", 0.7);
+    oracle::set(how, *composed, "exponent", 2.5);
+    const oracle::settings s = oracle::settings_of(how, *composed);
     const auto expected = oracle::main_pass(p, s, 1, false, [&](const oracle::receiver& r) {
         return oracle::hbao(p, r, s, oracle::directions(p, r, s, 6, 3));
     });
@@ -154,8 +154,8 @@ TEST_CASE("the horizon of HBAO begins no higher than a right angle, however larg
     const oracle::picture p = oracle::draw(oracle::still_life(), lens::standard, 97, 61);
     const auto composed = oracle::compose("directions:6x8/single_layer/hbao");
     crease::parameters how = oracle::view_parameters(p, composed->view(), 0.5);
-    how.bias = 1.2f;
-    const oracle::settings s = oracle::settings_of(how);
+    oracle::set(how, *composed, "bias", 1.2);
+    const oracle::settings s = oracle::settings_of(how, *composed);
     const auto expected = oracle::main_pass(p, s, 1, false, [&](const oracle::receiver& r) {
         return oracle::hbao(p, r, s, oracle::directions(p, r, s, 6, 8));
     });
@@ -169,7 +169,7 @@ TEST_CASE("a radius of a few texels") {
         CAPTURE(t.recipe());
         const auto composed = oracle::compose(t.recipe());
         const crease::parameters how = oracle::view_parameters(p, composed->view(), 0.1);
-        const oracle::settings s = oracle::settings_of(how);
+        const oracle::settings s = oracle::settings_of(how, *composed);
         const auto expected = oracle::main_pass(
             p, s, 1, false, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });
         check_within(oracle::compare(oracle::run(p, composed->view(), how), expected), mostly_open);
@@ -184,7 +184,7 @@ TEST_CASE("a radius that reaches behind the eye") {
         CAPTURE(t.recipe());
         const auto composed = oracle::compose(t.recipe());
         const crease::parameters how = oracle::view_parameters(p, composed->view(), 6);
-        const oracle::settings s = oracle::settings_of(how);
+        const oracle::settings s = oracle::settings_of(how, *composed);
         const auto expected = oracle::main_pass(
             p, s, 1, false, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });
         check_within(oracle::compare(oracle::run(p, composed->view(), how), expected), occluded_everywhere);

@@ -51,7 +51,7 @@ constexpr piece summed[] = {
                          "texelFetch(crease_shared, at, 0).x + texelFetch(crease_right, at, 0).x")}};
 
 constexpr resource resources[] = {
-    {.name = "parameters"},
+    {.name = "parameters", .kind = resource_kind::block},
     {.name = "depth", .texels = format::r32_float, .life = lifetime::input},
     {.name = "shared", .texels = format::r32_float, .life = lifetime::transient},
     {.name = "left", .texels = format::r32_float, .life = lifetime::transient},
@@ -91,7 +91,7 @@ constexpr pass passes[] = {computed("copy", copied, copy_bindings),
                            computed("sum", summed, sum_bindings)};
 /// A compute pass and a fragment pass read an image, which a third then writes.
 constexpr effect_view two_readers{
-    .captures = {}, .passes = passes, .resources = resources, .features = {}, .defaults = {}};
+    .passes = passes, .resources = resources, .settings = {}, .views = 1, .features = {}, .defaults = {}};
 
 }
 

@@ -2,7 +2,7 @@
 // The stage `functions`, in a host's own shader that runs.
 #include <crease/vulkan/runner.hpp>
 
-#include "hosted_functions.hpp"
+#include "hosted_effect.hpp"
 #include "small_corner.hpp"
 #include "validated_device.hpp"
 
@@ -38,7 +38,7 @@ TEST_CASE("a host's shader around functions gives the picture of the stage compu
         CHECK(std::ranges::max(expected) > 0.98f);
         for (const char* places : {"/functions:0x1x2", "/functions:2x5x40"}) {
             CAPTURE(std::string(places));
-            const hosted_functions hosted(text + places, host);
+            const hosted_effect hosted(text + places, host);
             CHECK(small_corner::largest_difference(run(hosted.view()), expected) <= small_corner::a_step);
         }
     }

@@ -31,7 +31,7 @@ std::vector<float> expected(const std::vector<float>& depth, std::uint32_t width
     for (std::uint32_t y = 0; y < height; ++y)
         for (std::uint32_t x = 0; x < width; ++x) {
             const float scaled = depth[y / 2 * 2 * width + x / 2 * 2] * p.radius * static_cast<float>(gain);
-            visibility[y * width + x] = std::min(scaled + p.bias, 1.0f);
+            visibility[y * width + x] = std::min(scaled + get(p, little::settings, "bias"), 1.0f);
         }
     return visibility;
 }
@@ -53,7 +53,7 @@ TEST_CASE("a compute pass and a fragment pass, at odd sizes") {
     const vulkan::runner_options compiled{.constants = {}, .shaders = vulkan::compile(little::effect)};
     parameters p;
     p.radius = 0.25f;
-    p.bias = 0.125f;
+    REQUIRE(set(p, little::settings, "bias", 0.125f));
     for (const auto& [width, height] : {std::pair(1u, 1u), std::pair(7u, 5u), std::pair(641u, 359u)}) {
         vulkan::runner runner(device, little::effect, width, height, compiled);
         const std::vector<float> depth = ramp(width, height);
@@ -68,7 +68,7 @@ TEST_CASE("a compute pass and a fragment pass, at odd sizes") {
         CHECK(largest_difference(runner.download("visibility"), expected(depth, width, height, p)) <=
               half_a_step);
         CHECK(runner.download("scaled").size() == std::size_t{(width + 1) / 2} * ((height + 1) / 2));
-        p.bias = 0.5f; // a later run reads its own parameters
+        REQUIRE(set(p, little::settings, "spread.bias", 0.5f)); // a later run reads its own parameters
         runner.run(p);
         CHECK(largest_difference(runner.download("visibility"), expected(depth, width, height, p)) <=
               half_a_step);

@@ -25,11 +25,11 @@ struct further_view {
     constexpr bool operator==(const further_view&) const = default;
 };
 
-/// What a host says to an effect each frame; `write_block` makes the bytes of the uniform block of it.
+/// What a host gives an effect each frame; `write_block` makes the bytes of the uniform block of it.
 struct parameters {
     view_parameters view; ///< of the picture
     further_view further_views[most_further_views];
-    float radius = 1;                ///< world-space AO radius R, view-space units, >= 0
+    float radius = 1;                ///< AO radius R, view-space units, >= 0
     std::uint32_t frame = 0;         ///< index that changes the per-pixel randomness
     float settings[most_settings]{}; ///< in the order of `effect_view::settings`; see `set`
 

@@ -34,6 +34,11 @@ struct bound_resources {
     std::vector<const buffer*> buffers; ///< 0 is the block of parameters
 };
 
+/// What may write a storage buffer.
+inline constexpr VkPipelineStageFlags buffer_writers = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT |
+                                                       VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT |
+                                                       VK_PIPELINE_STAGE_TRANSFER_BIT;
+
 /// Records the barriers that a program needs before it runs in a stage.
 inline void prepare_for(VkCommandBuffer commands, std::span<const binding> of, const bound_resources& bound,
                         VkPipelineStageFlags stage) {
@@ -48,10 +53,7 @@ inline void prepare_for(VkCommandBuffer commands, std::span<const binding> of, c
     auto barrier = blank<VkMemoryBarrier>(VK_STRUCTURE_TYPE_MEMORY_BARRIER);
     barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT;
     barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT;
-    constexpr VkPipelineStageFlags writers = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT |
-                                             VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT |
-                                             VK_PIPELINE_STAGE_TRANSFER_BIT;
-    vkCmdPipelineBarrier(commands, writers, stage, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+    vkCmdPipelineBarrier(commands, buffer_writers, stage, 0, 1, &barrier, 0, nullptr, 0, nullptr);
 }
 
 inline owned_sampler make_nearest_sampler(const device& on) {

@@ -31,17 +31,18 @@ class prepared_geometry {
 public:
     /// @param attachment  what the pass draws to; null where it has no attachment
     /// @param size        of what it fills, texels
+    /// @param values      of the pass's constants, in their order
     /// @throws error         where the device lacks a limit or memory
     /// @throws spirv::error  where the host's shaders with the pass's functions do not compile
     prepared_geometry(device& on, const pass& of, std::span<const resource> resources, image* attachment,
-                      VkExtent2D size, const geometry_shaders& host)
+                      VkExtent2D size, const geometry_shaders& host, std::span<const std::int32_t> values)
         : pass_(of), push_bytes_(host.push_constant_bytes), clear_depth_(host.reversed_depth ? 0.0f : 1.0f),
           descriptors_(on, of.bindings, resources, VK_SHADER_STAGE_FRAGMENT_BIT, push_bytes_,
                        geometry_stages) {
         expect_push_size(on, push_bytes_);
         target_ = std::make_unique<render_target>(on, std::vector<image*>(), attachment, size,
                                                   earlier_content::cleared);
-        make_pipeline(on, host);
+        make_pipeline(on, host, specialization(of.constants, values));
     }
 
     /// What is drawn from now on. The mesh must outlive the runs.
@@ -74,7 +75,7 @@ private:
     const mesh* triangles_ = nullptr;
     std::vector<std::byte> pushed_;
 
-    void make_pipeline(const device& on, const geometry_shaders& host) {
+    void make_pipeline(const device& on, const geometry_shaders& host, const specialization& constants) {
         std::vector<piece> whole{{"version", "#version 450\n"}};
         whole.insert(whole.end(), pass_.pieces.begin(), pass_.pieces.end());
         whole.insert(whole.end(), host.fragment.begin(), host.fragment.end());
@@ -82,10 +83,6 @@ private:
             spirv::compile(host.vertex, spirv::shader_stage::vertex, "the vertex shader");
         const spirv::words fragment = spirv::compile(whole, spirv::shader_stage::fragment,
                                                      "the geometry pass '" + std::string(pass_.name) + "'");
-        std::vector<std::int32_t> values;
-        for (const constant& c : pass_.constants)
-            values.push_back(c.value);
-        const specialization constants(pass_.constants, values);
         pipeline_ = make_graphics_pipeline(
             on, {.vertex = vertex,
                  .fragment = fragment,

@@ -17,7 +17,7 @@ namespace crease::vulkan {
 
 struct runner_options {
     unsigned guard =
-        0; ///< width of the guard band around the picture, texels: of depth, normals and captures
+        0; ///< width of the guard band around the picture, texels: of depth, normals and captured layers
     std::map<std::string, int> constants; ///< values other than the defaults, by "part.number"
     std::vector<pass_shaders> shaders;    ///< one for each pass, as compile() gives them; empty: compile them
 };
@@ -33,13 +33,13 @@ class runner {
 public:
     /// Makes the images, pipelines and descriptors of the effect, whose data must outlive the runner.
     /// @param width,height  of the picture in texels, > 0
-    /// @throws error         where a size is 0, the device lacks a feature, format, limit or memory, a
-    /// constant's
-    ///                       name is not the effect's, or a pass reads and writes one image
+    /// @throws error         where a size is 0, the device lacks a feature, format, limit or memory, the name
+    ///                       of a constant is not the effect's, or a pass reads and writes one image
     /// @throws spirv::error  where a pass does not compile
     runner(device& on, const effect_view& effect, std::uint32_t width, std::uint32_t height,
            const runner_options& options = {})
         : device_(on), effect_(effect), width_(width), height_(height), guard_(options.guard),
+          constants_(options.constants),
           parameters_(on, effect.block_size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, transfer::to_device,
                       "parameters"),
           timestamps_(on, static_cast<std::uint32_t>(effect.passes.size()) + 1),
@@ -99,7 +99,8 @@ public:
         set_input(i, input);
     }
 
-    /// Says what a geometry pass draws in the runs after it, and with which shaders.
+    /// Says what a geometry pass draws in the runs after it, and with which shaders; a pass that runs several
+    /// times draws the same each time.
     /// @param pass       name of a geometry pass of the effect
     /// @param triangles  must outlive the runs
     /// @param push_constants  as many bytes as the shaders say
@@ -108,12 +109,16 @@ public:
     /// @throws spirv::error  where the host's shaders with the pass's functions do not compile
     void set_geometry(std::string_view pass, const geometry_shaders& host, const mesh& triangles,
                       std::span<const std::byte> push_constants = {}) {
-        const std::size_t i = geometry_pass_of(pass);
-        const crease::pass& of = effect_.passes[i];
-        image* attachment = of.to_attachment() ? bound_.images[of.bindings.back().resource] : nullptr;
-        geometry_[i] = std::make_unique<detail::prepared_geometry>(device_, of, effect_.resources, attachment,
-                                                                   size_of(of.size), host);
-        geometry_[i]->set(triangles, push_constants);
+        for (std::size_t i = geometry_pass_of(pass); i < effect_.passes.size(); ++i) {
+            const crease::pass& of = effect_.passes[i];
+            if (of.stage != stage_kind::geometry || of.name != pass)
+                continue;
+            image* attachment = of.to_attachment() ? bound_.images[of.bindings.back().resource] : nullptr;
+            auto prepared = std::make_unique<detail::prepared_geometry>(
+                device_, of, effect_.resources, attachment, size_of(of.size), host, values_of(of));
+            prepared->set(triangles, push_constants);
+            geometry_[i] = std::move(prepared);
+        }
         descriptors_are_old_ = true;
         device_.check_messages();
     }
@@ -136,6 +141,7 @@ public:
                     geometry_[i]->record(commands, bound_);
                 timestamps_.mark(commands);
             }
+            hand_to_host(commands);
         });
         const std::vector<double> milliseconds = timestamps_.intervals(device_);
         std::vector<pass_time> times;
@@ -185,6 +191,7 @@ private:
     device& device_;
     effect_view effect_;
     std::uint32_t width_, height_, guard_;
+    std::map<std::string, int> constants_; ///< other than the defaults
     buffer parameters_;
     detail::timestamps timestamps_;
     detail::owned_sampler sampler_;
@@ -217,11 +224,17 @@ private:
             usage |= VK_IMAGE_USAGE_SAMPLED_BIT;
         for (const pass& each : effect_.passes)
             for (const binding& b : each.bindings)
-                if (b.resource == i)
+                if (b.resource == i || are_history(b.resource, i))
                     usage |= each.stage == stage_kind::geometry && b.how == access::attachment
                                  ? VkImageUsageFlags{VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT}
                                  : usage_of(b.how);
         return usage;
+    }
+
+    /// Whether two resources are the pair of a history, whose images change places.
+    bool are_history(std::size_t i, std::size_t j) const {
+        const resource &one = effect_.resources[i], &other = effect_.resources[j];
+        return one.previous_of == other.name || other.previous_of == one.name;
     }
 
     image& make_image(std::size_t i) {
@@ -297,6 +310,20 @@ private:
         }
     }
 
+    /// What passes wrote to buffers is seen by the host that reads it.
+    void hand_to_host(VkCommandBuffer commands) const {
+        bool has_buffers = false;
+        for (const std::unique_ptr<buffer>& each : own_buffers_)
+            has_buffers = has_buffers || each;
+        if (!has_buffers)
+            return;
+        auto barrier = detail::blank<VkMemoryBarrier>(VK_STRUCTURE_TYPE_MEMORY_BARRIER);
+        barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT;
+        barrier.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
+        vkCmdPipelineBarrier(commands, detail::buffer_writers, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier, 0,
+                             nullptr, 0, nullptr);
+    }
+
     void fill_constants() {
         for (std::size_t i = 0; i < effect_.resources.size(); ++i) {
             const resource& r = effect_.resources[i];
@@ -369,16 +396,21 @@ private:
             const pass& each = effect_.passes[i];
             if (each.stage == stage_kind::geometry)
                 continue;
-            std::vector<std::int32_t> values;
-            for (const constant& c : each.constants) {
-                const auto other = options.constants.find(key_of(c));
-                values.push_back(other == options.constants.end() ? c.value : other->second);
-            }
             passes_[i] = std::make_unique<detail::prepared_pass>(
                 device_, each, effect_.resources,
-                options.shaders.empty() ? compile(each) : options.shaders[i], values, outputs_of(each),
-                size_of(each.size));
+                options.shaders.empty() ? compile(each) : options.shaders[i], values_of(each),
+                outputs_of(each), size_of(each.size));
         }
+    }
+
+    /// Of a pass's constants, in their order.
+    std::vector<std::int32_t> values_of(const pass& of) const {
+        std::vector<std::int32_t> values;
+        for (const constant& c : of.constants) {
+            const auto other = constants_.find(key_of(c));
+            values.push_back(other == constants_.end() ? c.value : other->second);
+        }
+        return values;
     }
 
     /// The images that a pass writes.
@@ -391,6 +423,8 @@ private:
                 if (!writes(b.how) && b.resource == written.resource)
                     throw error("pass '" + std::string(each.name) + "' both reads and writes " +
                                 quoted(written.resource));
+            if (!is_image(written.resource))
+                continue; // a pass of any size may write a list or a counter
             const VkExtent2D runs = size_of(each.size),
                              has = size_of(effect_.resources[written.resource].size);
             if (runs.width > has.width || runs.height > has.height ||

@@ -6,7 +6,7 @@
 
 namespace crease {
 
-/// One value is all that is summed over areas, so that two channels of texels hold it and the count.
+/// Sums a single value over areas, so that two channels of a table hold it and the count.
 CREASE_TRAIT(single_area_value, estimator, "one value must be all that is summed over areas, and it is not");
 
 /// What the means over areas are of, by three functions that the passes of the tables and the main pass call:

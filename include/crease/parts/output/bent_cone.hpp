@@ -25,7 +25,7 @@ inline constexpr glsl_file bent_cone_glsl{
 #include <crease/output/bent_cone.glsl>
 };
 
-/// Taps that tell the estimator in which direction they look.
+/// Taps along directions that the estimator is told.
 CREASE_TRAIT(known_directions, sampler,
              "the output needs taps along known directions, which the sampler does not propose");
 

@@ -10,7 +10,7 @@ inline constexpr glsl_file deferred_layers_glsl{
 #include <crease/traversal/deferred_layers.glsl>
 };
 
-/// Adds a layer that is found behind the front one after later taps: crease_add_behind.
+/// Can add a layer behind the front one of a tap after later taps were added: crease_add_behind.
 CREASE_TRAIT(layers_behind, estimator,
              "the layer traversal comes back to a tap after others, and the estimator cannot add to it then");
 

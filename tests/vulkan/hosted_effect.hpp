@@ -10,10 +10,10 @@
 #include <vector>
 
 /// An effect whose last pass is a host's compute shader around the functions of a recipe.
-class hosted_functions {
+class hosted_effect {
 public:
     /// @param interface  of the host's shader: version, workgroup and `crease_output` at binding 0
-    hosted_functions(const std::string& recipe_text, const crease::piece& interface)
+    hosted_effect(const std::string& recipe_text, const crease::piece& interface)
         : composed_(std::make_unique<crease::composition>(crease::recipe(std::string_view(recipe_text)))) {
         const crease::effect_view view = composed_->view();
         REQUIRE(!view.passes.empty());
