@@ -90,7 +90,7 @@ TEST_CASE("a host's own filter has its steps before the main pass, in the chain 
     CHECK(has_binding(filtering, "input", crease::access::sample));
     CHECK(has_binding(filtering, "own_filter_image", crease::access::sample));
     CHECK(has_binding(filtering, "output", crease::access::store));
-    CHECK(contains(effect::source<4>, "const int crease_own_filter_twice = 2;\n"));
+    CHECK(contains(effect::source<4>(), "const int crease_own_filter_twice = 2;\n"));
     for (std::size_t i : {1u, 2u, 3u, 5u, 6u})
         CHECK_FALSE(has_binding(effect::passes[i], "own_filter_image", crease::access::sample));
     const auto count = std::ranges::find(effect::resources, "own_count", &resource::name);
@@ -112,7 +112,7 @@ TEST_CASE("two filters of one kind own one image and one setting") {
 TEST_CASE("a host's own number is a constant of the program") {
     using fixed = effect<poisson_disk<>, single_layer, own::own_estimator, bilateral<>>;
     static_assert(contains(fixed::passes[1].pieces[0].text, "const int crease_own_estimator_most = 20;\n"));
-    CHECK(contains(fixed::source<1>, "float(crease_own_estimator_most)"));
+    CHECK(contains(fixed::source<1>(), "float(crease_own_estimator_most)"));
 }
 
 TEST_CASE("a host's own estimator is refused beside a sampler that does not fit") {

@@ -395,6 +395,23 @@ crease_result crease_decode(vec4 texel) { return crease_result(texel.x); }
                                       .steps = own_output_owns::steps};
 };
 
+OWN_THINGS(own_format)
+struct own_format {
+    static constexpr glsl_file glsl{"own/format.glsl", OWN_VALUE(own_format) R"(
+float crease_visibility_of(float occlusion) { return 1.0 - occlusion * crease_own_format_value(); }
+)"};
+    static constexpr const glsl_file* files[] = {&glsl};
+    static constexpr part description{.kind = role::output_format,
+                                      .name = "own_format",
+                                      .summary = "a number, and a default of its own",
+                                      .source = "",
+                                      .files = files,
+                                      .settings = own_format_owns::tint,
+                                      .resources = own_format_owns::images,
+                                      .steps = own_format_owns::steps,
+                                      .offers = traits<real_number>::list};
+};
+
 OWN_THINGS(own_filter)
 struct own_filter {
     static constexpr glsl_file glsl{"own/filter.glsl", OWN_VALUE(own_filter) R"(
@@ -531,6 +548,8 @@ inline constexpr std::tuple examples{
         "directions/single_layer/hbao_plus/own_receivers"},
     example<own_output, effect<directions<>, single_layer, hbao_plus, own_output>>{
         "directions/single_layer/hbao_plus/own_output"},
+    example<own_format, effect<directions<>, single_layer, hbao_plus, own_format>>{
+        "directions/single_layer/hbao_plus/own_format"},
     example<own_filter, effect<directions<>, single_layer, hbao_plus, own_filter>>{
         "directions/single_layer/hbao_plus/own_filter"},
     example<own_reads, effect<directions<>, single_layer, hbao_plus, own_reads>>{

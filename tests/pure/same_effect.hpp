@@ -64,7 +64,7 @@ inline void check_equal(const pass& fixed, const pass& chosen) {
 
 template <class Effect, std::size_t... Pass>
 void check_sources(std::index_sequence<Pass...>) {
-    const std::string_view sources[] = {Effect::template source<Pass>...};
+    const std::string_view sources[] = {Effect::template source<Pass>()...};
     for (std::size_t i = 0; i < sizeof...(Pass); ++i) {
         CHECK(joined(Effect::passes[i].pieces) == sources[i]);
         CHECK(sources[i].data()[sources[i].size()] == '\0');

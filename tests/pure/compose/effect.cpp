@@ -20,12 +20,19 @@ static_assert(get(plain::defaults, plain::settings, "bias") == hbao::reads[0].fa
 static_assert(has_version(plain::passes[0].pieces[0].text, "#version 450\n"));
 static_assert(plain::passes[0].pieces[0].text.starts_with(
     "// directions:8x4x2/single_layer/hbao, pass visibility; crease 0.1.0, SPDX-License-Identifier: MIT-0\n"));
-static_assert(plain::source<0>.size() > 1000);
 static_assert(plain::view().block_size() == block_size(1, 4));
 
 static_assert(!effect<directions<8, 4>, single_layer, hbao, fragment>::features.extended_storage_formats);
 static_assert(!effect<directions<8, 4>, single_layer, hbao, opengl_glsl>::features.extended_storage_formats);
 
+}
+
+TEST_CASE("the text of a pass is joined once, and ends with a NUL") {
+    const std::string_view text = plain::source<0>();
+    CHECK(text.size() > 1000);
+    CHECK(text.data() == plain::source<0>().data());
+    CHECK(text == joined(plain::passes[0].pieces));
+    CHECK(text.data()[text.size()] == '\0');
 }
 
 TEST_CASE("an effect and the recipe of its parts are equal to the byte") {

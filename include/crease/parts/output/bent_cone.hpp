@@ -43,7 +43,8 @@ struct bent_cone {
     using needs = traits<known_directions, open_directions>;
     static constexpr const glsl_file* files[] = {&encoding_visibility_glsl, &encoding_octahedron_glsl,
                                                  &encoding_bent_cone_glsl,
-                                                 &encoding_visibility_depth_cone_glsl, &bent_cone_glsl};
+                                                 &encoding_visibility_depth_cone_glsl, &open_directions_glsl,
+                                                 &bent_cone_glsl};
     static constexpr resource images[] = {between_image(format::rg32_uint), visibility_image,
                                           bent_cone_image};
     static constexpr part description{

@@ -72,6 +72,6 @@ TEST_CASE("what is packed is what the storage captured, and the main pass reads 
         if (b.name == "captured_layers")
             CHECK(b.how == access::sample);
     CHECK(layered::passes[1].bindings.back().name == "packed_layers");
-    CHECK_FALSE(contains(layered::source<2>, "crease_captured_layers"));
-    CHECK(contains(layered::source<2>, "crease_load_packed_layers"));
+    CHECK_FALSE(contains(layered::source<2>(), "crease_captured_layers"));
+    CHECK(contains(layered::source<2>(), "crease_load_packed_layers"));
 }

@@ -3,21 +3,14 @@
 
 #include <doctest/doctest.h>
 
-namespace {
-
 using namespace crease;
 
-format shaped(array_view<const choice> parts) {
-    resource image = visibility_image;
-    shape_visibility(image, {parts, parts[0], 1});
-    return image.texels;
-}
-
-}
-
-TEST_CASE("visibility has the format that the part of the role offers, and one byte otherwise") {
-    const choice one[] = {choice_of<r8>()}, four[] = {choice_of<rgba8>()}, real[] = {choice_of<r32f>()};
-    CHECK(shaped(one) == format::r8_unorm);
-    CHECK(shaped(four) == format::rgba8_unorm);
-    CHECK(shaped(real) == format::r32_float);
+TEST_CASE("the format of visibility is that of the part that offers one, and of an output without visibility none") {
+    CHECK(offers<rgba8, four_bytes>);
+    CHECK(offers<r32f, real_number>);
+    CHECK_FALSE(offers<r8, four_bytes>);
+    CHECK_FALSE(offers<r8, real_number>);
+    using packed = effect<directions<>, single_layer, hbao, packed_bent_cone, r32f>;
+    CHECK(packed::resources.back().name == "packed_bent_cone");
+    CHECK(packed::resources.back().texels == format::rgba8_unorm);
 }

@@ -9,19 +9,19 @@ namespace {
 
 using namespace crease;
 
-using real = effect<directions<4, 4>, single_layer, hbao, bent_cone, r32f>;
-static_assert(!real::features.extended_storage_formats);
-static_assert(has(r32f::description.offers, &real_number::value));
+using formatted = effect<directions<>, single_layer, hbao, bilateral<>, r32f>;
+static_assert(formatted::resources.back().name == "visibility");
+static_assert(formatted::resources.back().texels == format::r32_float);
+static_assert(!formatted::features.extended_storage_formats);
+static_assert(!recipe("directions/single_layer/hbao/r32f/rgba8"));
 
 }
 
-TEST_CASE("r32f stores visibility as it is, and leaves the other images of an output alone") {
-    CHECK(contains(real::source<0>(), "layout(r32f, "));
-    for (const resource& r : real::resources) {
-        if (r.name == "visibility")
-            CHECK(r.texels == format::r32_float);
-        if (r.name == "bent_cone")
-            CHECK(r.texels == format::rgba16_float);
-    }
-    CHECK(real::resources[real::resources.size() - 2].name == "visibility");
+TEST_CASE("r32f is the format of visibility, and of nothing that passes hand on") {
+    CHECK(contains(formatted::source<2>(), "layout(r32f, set = 0, binding = 2) uniform writeonly image2D crease_output;\n"));
+    CHECK(contains(formatted::source<0>(), "layout(r32ui, "));
+    using bent = effect<directions<>, single_layer, hbao, bent_cone, r32f>;
+    CHECK(bent::resources.back().name == "bent_cone");
+    CHECK(bent::resources.back().texels == format::rgba16_float);
+    CHECK(bent::resources[bent::resources.size() - 2].texels == format::r32_float);
 }

@@ -9,17 +9,19 @@ namespace {
 
 using namespace crease;
 
-using four = effect<directions<4, 4>, single_layer, hbao, bilateral<>, rgba8>;
-static_assert(!four::features.extended_storage_formats); // which every device can store
-static_assert(has(rgba8::description.offers, &four_bytes::value));
+using formatted = effect<directions<>, single_layer, hbao, bilateral<>, rgba8>;
+static_assert(formatted::resources.back().name == "visibility");
+static_assert(formatted::resources.back().texels == format::rgba8_unorm);
+static_assert(!formatted::features.extended_storage_formats);
+static_assert(!recipe("directions/single_layer/hbao/rgba8/r8"));
 
 }
 
-TEST_CASE("rgba8 stores visibility in four bytes, and changes nothing between passes") {
-    CHECK(four::resources.back().name == "visibility");
-    CHECK(four::resources.back().texels == format::rgba8_unorm);
-    CHECK(contains(four::source<2>(), "layout(rgba8, "));
-    for (const resource& r : four::resources)
-        if (r.name == "between_0")
-            CHECK(r.texels == format::r32_uint);
+TEST_CASE("rgba8 is the format of visibility, and of nothing that passes hand on") {
+    CHECK(contains(formatted::source<2>(), "layout(rgba8, set = 0, binding = 2) uniform writeonly image2D crease_output;\n"));
+    CHECK(contains(formatted::source<0>(), "layout(r32ui, "));
+    using bent = effect<directions<>, single_layer, hbao, bent_cone, rgba8>;
+    CHECK(bent::resources.back().name == "bent_cone");
+    CHECK(bent::resources.back().texels == format::rgba16_float);
+    CHECK(bent::resources[bent::resources.size() - 2].texels == format::rgba8_unorm);
 }
