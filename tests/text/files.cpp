@@ -35,16 +35,7 @@ std::string read(const fs::path& path) {
 /// The identifiers of a text that begin with `crease_`, comments aside.
 std::set<std::string> identifiers_of(std::string_view text) {
     std::set<std::string> all;
-    for (std::size_t i = 0; i < text.size();) {
-        if (text.substr(i).starts_with("//"))
-            i = text.find('\n', i);
-        std::size_t end = i;
-        while (end < text.size() && reading::is_word(text[end]))
-            ++end;
-        if (text.substr(i, end - i).starts_with("crease_"))
-            all.emplace(text.substr(i, end - i));
-        i = end == i ? i + 1 : end;
-    }
+    for_each_identifier(text, [&all](std::string_view word, std::string_view) { all.emplace(word); });
     return all;
 }
 

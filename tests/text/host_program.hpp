@@ -46,7 +46,7 @@ inline std::vector<crease::piece> whole_program(const crease::pass& p) {
 }
 
 /// Checks that a program of Vulkan compiles, is valid and has the interface that the effect declares.
-inline void check_vulkan(const crease::effect_view& effect, const crease::pass& p, std::set<std::string>& without_use) {
+inline void check_vulkan(const crease::effect_view& effect, const crease::pass& p) {
     using namespace crease;
     const bool functions = p.stage == stage_kind::functions;
     const spirv::shader_stage stage = functions || p.stage == stage_kind::compute ? spirv::shader_stage::compute
@@ -61,8 +61,6 @@ inline void check_vulkan(const crease::effect_view& effect, const crease::pass& 
                            "': the SPIR-V has host_result at set 0 binding 9, where nothing is declared");
     }
     CHECK(spirv::mismatches(effect, declared, spirv::reflect(module)) == expected);
-    for (const std::string& each : functions_without_caller(module))
-        without_use.insert("function " + each + " in " + std::string(p.name));
     if (p.stage == stage_kind::fragment)
         spirv::validate(spirv::compile_vertex(p));
 }
@@ -91,8 +89,10 @@ inline void check_program(const crease::effect_view& effect, const crease::pass&
         whole += each.text;
     for (const std::string& each : identifiers_without_use(whole))
         without_use.insert(each + " in " + std::string(p.name));
+    for (const std::string& each : definitions_without_caller(whole_program(p)))
+        without_use.insert(each + " in " + std::string(p.name));
     if (p.dialect == crease::dialect_kind::opengl)
         check_opengl(p);
     else
-        check_vulkan(effect, p, without_use);
+        check_vulkan(effect, p);
 }

@@ -20,6 +20,11 @@ inline constexpr glsl_file encoding_visibility_depth_cone_glsl{
 #include <crease/encoding/visibility_depth_cone.glsl>
 };
 
+inline constexpr glsl_file open_directions_glsl{
+    "output/open_directions.glsl",
+#include <crease/output/open_directions.glsl>
+};
+
 inline constexpr glsl_file bent_cone_glsl{
     "output/bent_cone.glsl",
 #include <crease/output/bent_cone.glsl>
