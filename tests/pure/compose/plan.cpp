@@ -279,3 +279,13 @@ TEST_CASE("settings of one name are one where both parts share it, and two where
     CHECK(std::ranges::count(twice.settings, std::string_view("sharpness"), &effect_setting::name) == 1);
     CHECK(std::ranges::count(p.settings, std::string_view("strength"), &effect_setting::name) == 1);
 }
+
+TEST_CASE("a part that keeps a setting to itself does not share it with one that would") {
+    constexpr setting own[] = {{"strength", 0.5f, 0, 1, "of its own"}};
+    const part noise{.kind = role::noise, .name = "own", .summary = "", .source = "", .settings = own};
+    const choice chosen[] = {
+        choice_of<directions<>>(), choice_of<single_layer>(), choice_of<hbao>(), {&noise, {}}};
+    const plan p = make_plan(chosen);
+    CHECK(std::ranges::count(p.settings, std::string_view("strength"), &effect_setting::name) == 2);
+    CHECK(std::ranges::count(p.settings, std::string_view("own"), &effect_setting::part) == 1);
+}
