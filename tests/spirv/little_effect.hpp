@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/pass.hpp>
+#include <crease/effect/pass.hpp>
 
 #include <string>
 #include <string_view>
@@ -11,9 +11,6 @@
 namespace little {
 
 using namespace crease;
-
-/// GLSL as a fenced file has it.
-#define LITTLE_FENCED(...) "\"\n#endif\n" __VA_ARGS__ "#ifdef __cplusplus\n\""
 
 inline constexpr std::string_view block_text = R"(
 struct crease_view_parameters {
@@ -26,19 +23,14 @@ struct crease_view_parameters {
 };
 
 layout(std140, set = 0, binding = 0) uniform crease_parameters {
-    crease_view_parameters crease_views[2];
-    mat4 crease_second_from_first;
-    float crease_radius;
-    float crease_bias;
-    float crease_threshold;
-    float crease_strength;
-    float crease_exponent;
-    float crease_sharpness;
-    uint crease_frame;
-    float crease_opacity;
-    float crease_front_reach;
-    float crease_falloff;
-};
+    crease_view_parameters views[2];
+    mat4 from_first[1];
+    float radius;
+    uint frame;
+    float spread_bias;
+    float spread_slope;
+    float strength;
+} crease_given;
 )";
 
 inline constexpr piece version{"version", "#version 450\n"};
@@ -56,7 +48,7 @@ void main() {
     if (any(greaterThanEqual(at, imageSize(crease_output))))
         return;
     float depth = texelFetch(crease_depth, 2 * at, 0).r;
-    imageStore(crease_output, at, vec4(depth * crease_radius * float(crease_scale_gain)));
+    imageStore(crease_output, at, vec4(depth * crease_given.radius * float(crease_scale_gain)));
 }
 )"};
 inline constexpr piece scale_pieces[] = {version, block, scale_interface, scale_body};
@@ -77,7 +69,7 @@ inline constexpr piece vertex_pieces[] = {version, triangle};
 inline constexpr piece spread_body{"spread.glsl", R"(
 layout(set = 0, binding = 1) uniform sampler2D crease_input;
 layout(location = 0) out float crease_output;
-void main() { crease_output = texelFetch(crease_input, ivec2(gl_FragCoord.xy) / 2, 0).r + crease_bias; }
+void main() { crease_output = texelFetch(crease_input, ivec2(gl_FragCoord.xy) / 2, 0).r + crease_given.spread_bias; }
 )"};
 inline constexpr piece spread_pieces[] = {version, block, spread_body};
 inline constexpr binding spread_bindings[] = {
@@ -87,7 +79,7 @@ inline constexpr binding spread_bindings[] = {
 };
 
 inline constexpr resource resources[] = {
-    {.name = "parameters"},
+    {.name = "parameters", .kind = resource_kind::block},
     {.name = "depth", .texels = format::r32_float, .life = lifetime::input},
     {.name = "scaled", .texels = format::r32_float, .life = lifetime::transient, .size = {2}},
     {.name = "visibility", .texels = format::r8_unorm, .life = lifetime::output},
@@ -109,7 +101,13 @@ inline constexpr pass spread{.name = "spread",
                              .size = {1}};
 inline constexpr pass passes[] = {scale, spread};
 
+inline constexpr effect_setting settings[] = {
+    {"spread", "bias", 0, 0, 1, "", false},
+    {"spread", "slope", 0, 0, 1, "", false},
+    {"scale", "strength", 1, 0, 1, "", true},
+};
+
 inline constexpr effect_view effect{
-    .captures = {}, .passes = passes, .resources = resources, .features = {}, .defaults = {}};
+    .passes = passes, .resources = resources, .settings = settings, .views = 2, .features = {}, .defaults = {}};
 
 }
