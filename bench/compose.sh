@@ -23,7 +23,7 @@ programs() {
             parts = parts ", " depth[1 + n % 2]; n = int(n / 2)
             parts = parts ", " normals[1 + n % 2]; n = int(n / 2)
             parts = parts ", " stage[1 + n % 2]
-            printf "const char* program_%d() { return effect<%s>::source<0>.data(); }\n", i, parts
+            printf "const char* program_%d() { return effect<%s>::source<0>().data(); }\n", i, parts
         }
     }'
 }

@@ -9,25 +9,26 @@
 #include <span>
 #include <stdexcept>
 
-/// What the engine adds to its renderer to run an effect of crease: compute passes over texels, without
-/// multisampled images and history.
+/// What the engine adds to its renderer to run an effect of crease: compute passes over texels and geometry
+/// passes without attachments, without buffers and history.
 class occlusion {
 public:
     /// @param depth  the engine's own, as large as the picture
     occlusion(renderer& on, const crease::effect_view& effect, const crease::parameters& values, image& depth)
         : gpu_(on), effect_(effect),
-          parameters_(on.make_buffer(sizeof values, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT)) {
-        std::memcpy(parameters_.bytes, &values, sizeof values);
+          parameters_(on.make_buffer(effect.block_size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT)) {
+        crease::write_block(values, effect.views, effect.settings.size(),
+                            static_cast<std::byte*>(parameters_.bytes));
         const VkSamplerCreateInfo nearest{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
                                           .addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
                                           .addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE};
         sampler_ = on.make<VkSampler>(vkCreateSampler, nearest, vkDestroySampler);
         for (const crease::resource& r : effect.resources)
-            images_.push_back(r.texels == crease::format::none    ? nullptr // the block of parameters
-                              : r.life == crease::lifetime::input ? &depth
-                                                                  : &make_image(r, depth.size));
+            images_.push_back(r.kind == crease::resource_kind::block ? nullptr
+                              : r.life == crease::lifetime::input    ? &depth
+                                                                     : &make_image(r, depth.size));
         for (const crease::pass& each : effect.passes)
-            passes_.push_back(prepare(each));
+            passes_.push_back(each.stage == crease::stage_kind::compute ? prepare(each) : prepared{});
     }
 
     /// What a pipeline binds.
@@ -50,32 +51,19 @@ public:
                 make_set(bindings, set_layout)};
     }
 
-    /// Makes the images ready for a shader that binds them.
-    void make_ready(VkCommandBuffer commands, std::span<const crease::binding> bindings,
-                    VkPipelineStageFlags stage) {
-        for (const crease::binding& b : bindings)
-            if (b.how == crease::access::sample)
-                images_[b.resource]->change(commands, {layout_of(b.how), stage, VK_ACCESS_SHADER_READ_BIT});
-            else if (b.how != crease::access::uniform)
-                images_[b.resource]->change(
-                    commands,
-                    {layout_of(b.how), stage, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT});
-    }
-
-    /// Clears what a capture fills, as its resource says.
-    void clear(VkCommandBuffer commands, const crease::capture& filling) {
-        const unsigned filled = filling.bindings.back().resource;
-        const std::uint32_t each = effect_.resources[filled].clear;
-        const VkClearColorValue value{.uint32 = {each, each, each, each}};
-        image& target = *images_[filled];
-        target.change(commands, copy_target);
-        vkCmdClearColorImage(commands, target.handle, copy_target.layout, &value, 1, &target.range);
-    }
-
     /// Runs all passes.
-    void record(VkCommandBuffer commands) {
+    /// @param draw  is called where a geometry pass stands among them, to draw what that captures
+    void record(VkCommandBuffer commands, const std::function<void(const crease::pass&)>& draw = {}) {
+        for (std::size_t i = 0; i < effect_.resources.size(); ++i)
+            if (effect_.resources[i].cleared)
+                clear(commands, *images_[i], effect_.resources[i].clear);
         for (std::size_t i = 0; i < passes_.size(); ++i) {
             const crease::pass& pass = effect_.passes[i];
+            if (pass.stage == crease::stage_kind::geometry) {
+                make_ready(commands, pass.bindings, VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT);
+                draw(pass);
+                continue;
+            }
             make_ready(commands, pass.bindings, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT);
             vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, passes_[i].pipeline);
             vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, passes_[i].bindings.layout, 0,
@@ -94,6 +82,24 @@ private:
         bound bindings;
         VkPipeline pipeline;
     };
+
+    /// Makes the images ready for a shader that binds them.
+    void make_ready(VkCommandBuffer commands, std::span<const crease::binding> bindings,
+                    VkPipelineStageFlags stage) {
+        for (const crease::binding& b : bindings)
+            if (b.how == crease::access::sample)
+                images_[b.resource]->change(commands, {layout_of(b.how), stage, VK_ACCESS_SHADER_READ_BIT});
+            else if (b.how != crease::access::uniform)
+                images_[b.resource]->change(
+                    commands,
+                    {layout_of(b.how), stage, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT});
+    }
+
+    static void clear(VkCommandBuffer commands, image& target, std::uint32_t component) {
+        const VkClearColorValue value{.uint32 = {component, component, component, component}};
+        target.change(commands, copy_target);
+        vkCmdClearColorImage(commands, target.handle, copy_target.layout, &value, 1, &target.range);
+    }
 
     static VkFormat format_of(crease::format texels) {
         switch (texels) {
@@ -126,7 +132,7 @@ private:
                                       VK_IMAGE_ASPECT_COLOR_BIT, of.arrayed ? of.layers : 0);
         if (of.life == crease::lifetime::constant) {
             std::vector<std::uint32_t> texels(size.width * size.height);
-            of.fill(texels, of.count);
+            of.fill(texels);
             gpu_.upload(made, std::as_bytes(std::span(texels)));
         }
         return made;
@@ -185,7 +191,7 @@ private:
         VkDescriptorSet set;
         renderer::check(vkAllocateDescriptorSets(gpu_.device(), &info, &set), "allocating a descriptor set");
 
-        const VkDescriptorBufferInfo block{parameters_.handle, 0, sizeof(crease::parameters)};
+        const VkDescriptorBufferInfo block{parameters_.handle, 0, effect_.block_size()};
         for (const crease::binding& b : of) {
             const VkDescriptorImageInfo texels{
                 sampler_, images_[b.resource] ? images_[b.resource]->view : VK_NULL_HANDLE, layout_of(b.how)};

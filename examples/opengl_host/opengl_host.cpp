@@ -84,7 +84,7 @@ std::vector<GLuint> make_textures() {
     std::vector<GLuint> textures;
     for (const crease::resource& resource : ao::resources) {
         textures.push_back(0);
-        if (resource.texels == crease::format::none)
+        if (resource.kind == crease::resource_kind::block)
             continue;
         glGenTextures(1, &textures.back());
         glBindTexture(GL_TEXTURE_2D, textures.back());
@@ -102,9 +102,6 @@ void run(const crease::pass& pass, const std::vector<GLuint>& textures, GLuint p
         } else if (binding.how == crease::access::sample) {
             glActiveTexture(GL_TEXTURE0 + binding.slot);
             glBindTexture(GL_TEXTURE_2D, textures[binding.resource]);
-        } else if (binding.how == crease::access::load) {
-            glBindImageTexture(binding.slot, textures[binding.resource], 0, GL_FALSE, 0, GL_READ_ONLY,
-                               format_of(ao::resources[binding.resource].texels));
         } else {
             glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
                                    textures[binding.resource], 0);
@@ -125,7 +122,8 @@ std::vector<std::uint8_t> render(const std::vector<float>& depth, const crease::
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glGenBuffers(1, &block);
     glBindBuffer(GL_UNIFORM_BUFFER, block);
-    glBufferData(GL_UNIFORM_BUFFER, sizeof parameters, &parameters, GL_STATIC_DRAW);
+    const auto bytes = ao::block(parameters);
+    glBufferData(GL_UNIFORM_BUFFER, bytes.size(), bytes.data(), GL_STATIC_DRAW);
     glGenSamplers(1, &sampler); // as crease::access::sample asks for
     glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);

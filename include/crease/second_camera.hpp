@@ -8,8 +8,9 @@
 namespace crease {
 
 /// Places the second camera of an effect as stochastic-depth-ao 8.3 does: to the right and in front of the
-/// first, turned to the middle of what that sees. Fills `further_views[0].from_first`, which is also how a host draws
-/// for the second camera: its view matrix is `further_views[0].from_first` times that of the first.
+/// first, turned to the middle of what that sees. Fills `further_views[0].from_first`, which is also how a
+/// host draws for the second camera: its view matrix is `further_views[0].from_first` times that of the
+/// first.
 /// @param right,forward  of the first camera, view-space units
 /// @param focus          depth of the point in the middle of the first camera's picture that both look at, >
 /// forward

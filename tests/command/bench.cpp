@@ -36,6 +36,9 @@ TEST_CASE("bench: as JSON it holds each recipe, with its passes and views, and k
     const nlohmann::json &drawn = whole["recipes"][0], &nothing = whole["recipes"][1],
                          &bent = whole["recipes"][2];
     CHECK(drawn.at("recipe") == "directions:8x4/single_layer/hbao/bilateral");
+    const bool on_processor = whole["device"].get<std::string>().find("llvmpipe") != std::string::npos;
+    CHECK(drawn.at("run") == std::string("directions:8x4x2/single_layer/hbao/bilateral:3") +
+                                 (on_processor ? "/image_load/compute_columns:16x16x16" : ""));
     CHECK(drawn.at("passes").size() == 3);
     CHECK(drawn["passes"][0].at("fetches").get<unsigned>() >= 32);
     // Without occlusion all is 1: brighter than the truth, and the camera changes nothing.
@@ -51,4 +54,19 @@ TEST_CASE("bench: as JSON it holds each recipe, with its passes and views, and k
         kept.insert(std::filesystem::path(file).filename().string());
     CHECK(kept ==
           std::set<std::string>{"ao_hard.pfm", "ao_linear.pfm", "ao_quad.pfm", "bent.pfm", "mask.pfm"});
+}
+
+TEST_CASE("bench: as text it says once what it adds to recipes, and nothing of what they name") {
+    const std::string small =
+        "bench built-in --width 16 --height 9 --rays 1 --repeats 1 --cameras overview --recipes ";
+    const std::string hbao = "directions:2x2/single_layer/hbao/bilateral";
+    const std::string text = expect_success(small + hbao + " " + hbao + "@strength=0");
+    const std::string sentence = "added to recipes as suits the device, where they name none of the kind: "
+                                 "/image_load, /compute_columns\n";
+    const std::size_t first = text.find(sentence);
+    CHECK((first != std::string::npos) == (text.find("llvmpipe") != std::string::npos));
+    CHECK((first == std::string::npos || text.find("added to recipes", first + 1) == std::string::npos));
+    CHECK(text.find("\n" + hbao + " ") != std::string::npos); // a row is named as it was asked for
+    CHECK(expect_success(small + hbao + "/texel_fetch/compute").find("added to recipes") ==
+          std::string::npos);
 }

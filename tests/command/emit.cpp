@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "command.hpp"
 
-#include <crease/recipe.hpp>
+#include <crease/compose/composition.hpp>
 
 #include <doctest/doctest.h>
 
@@ -97,4 +97,30 @@ TEST_CASE("emit: functions for OpenGL have no main and no version") {
     }
     CHECK(content_of(folder / "out/2_bilateral_y.glsl").find("float crease_visibility(ivec2 pixel)") !=
           std::string::npos);
+}
+
+TEST_CASE("emit: a geometry pass is functions for the host's shader in every format, the others programs") {
+    const std::string layered = "directions:4x4/stochastic_layers:8/hbao/atomic_minimum";
+    const auto composed = std::make_unique<crease::composition>(crease::recipe(std::string_view(layered)));
+    const std::string captures = pieces_of(composed->view().passes[0]);
+    CHECK(captures.find("void crease_capture(vec3 anchor)") != std::string::npos);
+    CHECK(captures.find("#version") == std::string::npos);
+    for (const char* format : {"glsl", "spirv", "spirv-asm"}) {
+        CAPTURE(format);
+        const temporary_folder folder;
+        const std::set<std::string> files = emitted(layered + " --format " + format, folder);
+        REQUIRE(files.contains("0_capture_layers.glsl"));
+        CHECK(content_of(folder / "out/0_capture_layers.glsl") == captures);
+        CHECK(files.size() == composed->view().passes.size());
+        std::size_t geometry = 0;
+        for (const std::string& file : files)
+            geometry += file.ends_with(".glsl");
+        CHECK(geometry == 1);
+    }
+    const temporary_folder folder;
+    CHECK(emitted(layered + " --format header --name shaders", folder) ==
+          std::set<std::string>{"shaders.hpp"});
+    const std::string header = content_of(folder / "out/shaders.hpp");
+    CHECK(header.find("constexpr char capture_layers[] =\n    \"// ") != std::string::npos);
+    CHECK(header.find("constexpr std::uint32_t visibility[] = {\n    0x07230203, ") != std::string::npos);
 }

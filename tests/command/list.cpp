@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "command.hpp"
 
-#include <crease/parts.hpp>
-#include <crease/recipe.hpp>
+#include <crease/compose/recipe.hpp>
+#include <crease/parts/all_parts.hpp>
 
 #include <doctest/doctest.h>
+
+namespace {
+
+unsigned occurrences(const std::string& of, const std::string& in) {
+    unsigned count = 0;
+    for (std::size_t at = in.find(of); at != std::string::npos; at = in.find(of, at + 1))
+        ++count;
+    return count;
+}
+
+}
 
 TEST_CASE("list: as JSON it holds every part, and recipes that compose") {
     const nlohmann::json listed = nlohmann::json::parse(expect_success("list --json"));
@@ -21,6 +32,7 @@ TEST_CASE("list: as JSON it holds every part, and recipes that compose") {
             CHECK(shown["settings"][s].at("default").get<float>() == p.settings[s].fallback);
             CHECK(shown["settings"][s].at("least").get<float>() == p.settings[s].least);
             CHECK(shown["settings"][s].at("most").get<float>() == p.settings[s].most);
+            CHECK(shown["settings"][s].at("shared").get<bool>() == p.settings[s].shared);
         }
         REQUIRE(shown.at("numbers").size() == p.numbers.size());
         for (std::size_t n = 0; n < p.numbers.size(); ++n) {
@@ -47,4 +59,27 @@ TEST_CASE("list: as text it names the same") {
         CHECK(text.find("\n  " + std::string(p->name) + " ") != std::string::npos);
     }
     CHECK(text.find("\n  directions/single_layer/hbao") != std::string::npos);
+}
+
+TEST_CASE("list: as text each role has one heading, in the order of the index, before its parts") {
+    const std::string text = expect_success("list");
+    std::size_t last = 0;
+    for (const crease::part* p : crease::all_parts) {
+        CAPTURE(std::string(p->name));
+        const std::string heading = "\n\n" + std::string(crease::name_of(p->kind)) + "\n  ";
+        CHECK(occurrences(heading, "\n" + text) == 1);
+        const std::size_t at = ("\n" + text).find(heading);
+        CHECK(at >= last);
+        CHECK(text.find("\n  " + std::string(p->name) + " ") > at);
+        last = at;
+    }
+}
+
+TEST_CASE("list: as text a setting reads as --set takes it, with its part where it is the part's own") {
+    const std::string text = expect_success("list");
+    CHECK(occurrences("--set hbao.bias=", text) == 1);
+    CHECK(occurrences("--set bilateral.sharpness=", text) == 1);
+    CHECK(occurrences("--set upsample.sharpness=", text) == 1);
+    CHECK(occurrences("--set strength=1.15 (0 to 16, for all parts that have it)", text) >= 1);
+    CHECK(occurrences("hbao.strength", text) == 0);
 }

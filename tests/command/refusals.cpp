@@ -44,11 +44,15 @@ TEST_CASE("refuses: recipes") {
 
 TEST_CASE("refuses: settings") {
     const std::string render = std::string("render built-in") + hbao;
-    expect_refusal("no part of this recipe has the setting 'colour'; there are bias, ",
+    expect_refusal("no part of this recipe has the setting 'colour'; there are hbao.bias, ",
                    render + " --set colour=1");
     expect_refusal("--set bias=x: it must read name=number", render + " --set bias=x");
     expect_refusal("--set bias: it must read name=number", render + " --set bias");
     expect_refusal("strength=-1 is out of its range, 0 to 16", render + " --set strength=-1");
+    expect_refusal("no part of this recipe has the setting 'hbao_plus.bias'",
+                   render + " --set hbao_plus.bias=0");
+    expect_refusal("hbao.bias=2 is out of its range, 0 to 1.5", render + " --set hbao.bias=2");
+    expect_refusal("bias=2 is out of its range, 0 to 1.5", render + " --set bias=2");
     expect_refusal("strength=nan is out of its range, 0 to 16", render + " --set strength=nan");
     expect_refusal("it must read name=number", "bench --recipes directions/single_layer/hbao@bias", false);
 }

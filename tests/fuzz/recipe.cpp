@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The recipe parser: any text either is refused with a sentence or makes an effect that is the same when read
 // back.
-#include <crease/recipe.hpp>
+#include <crease/compose/composition.hpp>
 
 #include <cstdint>
 #include <cstdlib>
@@ -19,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!again || again.text().view() != text.view())
         std::abort();
     const auto composed = std::make_unique<crease::composition>(again);
-    if (composed->view().passes.empty())
+    if (!*composed || composed->view().passes.empty())
         std::abort();
     return 0;
 }

@@ -6,5 +6,5 @@
 
 int main() {
     using ao = crease::effect<crease::directions<8, 4>, crease::single_layer, crease::hbao>;
-    std::puts(ao::source<0>.data());
+    std::puts(ao::source<0>().data());
 }

@@ -11,7 +11,7 @@ endfunction()
 
 function(require_shader program)
     execute_process(COMMAND ${program} RESULT_VARIABLE result OUTPUT_VARIABLE output)
-    if(NOT result EQUAL 0 OR NOT output MATCHES "^#version 450\n.*void main\\(\\)")
+    if(NOT result EQUAL 0 OR NOT output MATCHES "^// [^\n]*\n#version 450\n.*void main\\(\\)")
         message(FATAL_ERROR "${program} prints no shader:\n${output}")
     endif()
 endfunction()

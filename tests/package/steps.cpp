@@ -6,7 +6,7 @@ using namespace crease;
 
 template <class Effect, std::size_t... Pass>
 constexpr std::size_t length(std::index_sequence<Pass...>) {
-    return (Effect::template source<Pass>.size() + ...);
+    return (joining::size_of(Effect::passes[Pass].pieces) + ...);
 }
 
 template <class... Parts>

@@ -8,6 +8,6 @@ unsigned resource_count() {
     return static_cast<unsigned>(ao::resources.size());
 }
 
-float radius() {
-    return ao::defaults.bias;
+float bias() {
+    return crease::get(ao::defaults, ao::settings, "hbao.bias");
 }

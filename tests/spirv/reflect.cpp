@@ -86,6 +86,7 @@ void main() {}
     CHECK(r.bindings[4].size == 48 + 48 + 16 + 16);
     CHECK(r.bindings[5].name == "nodes");
     CHECK(r.bindings[5].kind == binding_kind::storage_block);
+    CHECK(!r.bindings[5].writable);
     CHECK(r.bindings[6].arrayed);
     CHECK(r.bindings[7].multisampled);
     REQUIRE(r.constants.size() == 2);

@@ -242,6 +242,7 @@ nlohmann::ordered_json measure(vulkan::device& device, const candidate& of, cons
         add_particulars(each.back(), view, made);
     }
     return {{"recipe", of.text},
+            {"run", std::string(supported(device, of.chosen).text().view())},
             {"milliseconds", mean.milliseconds},
             {"capture_milliseconds", mean.capture_milliseconds},
             {"rmse_hard", mean.rmse_hard},
@@ -288,8 +289,9 @@ std::vector<baseline> time_baselines(vulkan::device& device, const gbuffer& inpu
     std::vector<baseline> all = {{"fetch_loop_milliseconds", "32 fetches of depth and no more",
                                   time_fetch_loop(device, inputs, options.repeats)}};
     const bool tables = std::ranges::any_of(candidates, [](const candidate& each) {
-        return std::ranges::any_of(each.chosen.choices(),
-                                   [](const choice& c) { return has(c.what->offers, &layers_of_areas::value); });
+        return std::ranges::any_of(each.chosen.choices(), [](const choice& c) {
+            return has(c.what->offers, &layers_of_areas::value);
+        });
     });
     if (!tables)
         return all;
@@ -298,6 +300,21 @@ std::vector<baseline> time_baselines(vulkan::device& device, const gbuffer& inpu
     all.push_back({"table_doubling_milliseconds", "their summed-area table by recursive doubling",
                    time_table_doubling(device, options.width, options.height, options.repeats)});
     return all;
+}
+
+/// What `supported` adds to the recipes, each once.
+std::string added_parts(const vulkan::device& device, const std::vector<candidate>& candidates) {
+    std::string added;
+    for (const candidate& each : candidates) {
+        const recipe whole = supported(device, each.chosen);
+        const array_view<const choice> choices = whole.choices();
+        for (std::size_t i = each.chosen.choices().size(); i < choices.size(); ++i) {
+            const std::string name = "/" + std::string(choices[i].what->name);
+            if (added.find(name) == std::string::npos)
+                added += (added.empty() ? "" : ", ") + name;
+        }
+    }
+    return added;
 }
 
 void run(const bench_options& options) {
@@ -320,6 +337,8 @@ void run(const bench_options& options) {
             "{}, {} x {}, times on {} {}, errors the mean of {} views, change that of a pixel when the "
             "camera turns by half of one\n",
             device.name(), options.width, options.height, views[0].name, views[0].from.name, views.size());
+        if (const std::string added = added_parts(device, candidates); !added.empty())
+            fmt::print("added to recipes as suits the device, where they name none of the kind: {}\n", added);
         for (const baseline& b : baselines)
             fmt::print("{:<58} {:7.2f} ms\n", b.title, b.milliseconds);
     }

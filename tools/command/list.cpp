@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 
-#include <crease/parts/all_parts.hpp>
 #include <crease/compose/composition.hpp>
+#include <crease/parts/all_parts.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace crease::tools {
 
@@ -57,7 +60,8 @@ json describe(const part& p) {
                             {"least", s.least},
                             {"most", s.most},
                             {"default", s.fallback},
-                            {"meaning", s.meaning}});
+                            {"meaning", s.meaning},
+                            {"shared", s.shared}});
     return {{"name", p.name},     {"role", name_of(p.kind)}, {"summary", p.summary},
             {"source", p.source}, {"numbers", numbers},      {"settings", settings}};
 }
@@ -73,20 +77,34 @@ void print_json() {
     fmt::print("{}\n", json{{"parts", parts}, {"recipes", recipes}}.dump(2));
 }
 
+/// The roles in the order in which the index of parts names them.
+std::vector<role> roles_in_order() {
+    std::vector<role> roles;
+    for (const part* p : all_parts)
+        if (std::ranges::find(roles, p->kind) == roles.end())
+            roles.push_back(p->kind);
+    return roles;
+}
+
+void print_part(const part& p) {
+    fmt::print("  {:<22} {}\n", p.name, p.summary);
+    if (!p.source.empty())
+        fmt::print("  {:<22}   from {}\n", "", p.source);
+    for (const number& n : p.numbers)
+        fmt::print("  {:<22}   :{} {} to {}, else {}: {}\n", "", n.name, n.least, n.most, n.fallback,
+                   n.meaning);
+    for (const setting& s : p.settings)
+        fmt::print("  {:<22}   --set {}{}{}={} ({} to {}{}): {}\n", "", s.shared ? "" : p.name,
+                   s.shared ? "" : ".", s.name, s.fallback, s.least, s.most,
+                   s.shared ? ", for all parts that have it" : "", s.meaning);
+}
+
 void print_text() {
-    std::string_view heading;
-    for (const part* p : all_parts) {
-        if (heading != name_of(p->kind))
-            fmt::print("\n{}\n", heading = name_of(p->kind));
-        fmt::print("  {:<22} {}\n", p->name, p->summary);
-        if (!p->source.empty())
-            fmt::print("  {:<22}   from {}\n", "", p->source);
-        for (const number& n : p->numbers)
-            fmt::print("  {:<22}   :{} {} to {}, else {}: {}\n", "", n.name, n.least, n.most, n.fallback,
-                       n.meaning);
-        for (const setting& s : p->settings)
-            fmt::print("  {:<22}   --set {}={} ({} to {}): {}\n", "", s.name, s.fallback, s.least, s.most,
-                       s.meaning);
+    for (role r : roles_in_order()) {
+        fmt::print("\n{}\n", name_of(r));
+        for (const part* p : all_parts)
+            if (p->kind == r)
+                print_part(*p);
     }
     fmt::print("\nwhat fits with what: SAMPLER/DEPTH/ESTIMATOR, then /FILTER... and what differs from the "
                "defaults\n");

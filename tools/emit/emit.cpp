@@ -29,7 +29,8 @@ const char* extension(const pass& p) {
 }
 
 bool has_spirv(const pass& p) {
-    return p.stage != stage_kind::functions && p.stage != stage_kind::geometry && p.dialect == dialect_kind::vulkan;
+    return p.stage != stage_kind::functions && p.stage != stage_kind::geometry &&
+           p.dialect == dialect_kind::vulkan;
 }
 
 spirv::words checked(spirv::words module) {
@@ -83,8 +84,9 @@ std::string header(const emit_options& options, std::string_view recipe_text, st
         text += has_spirv(passes[i]) ? word_array(names[i], checked(spirv::compile(passes[i])))
                                      : text_constant(names[i], joined(passes[i].pieces));
     if (!passes.back().vertex_pieces.empty())
-        text += has_spirv(passes.back()) ? word_array("fullscreen", checked(spirv::compile_vertex(passes.back())))
-                                     : text_constant("fullscreen", joined(passes.back().vertex_pieces));
+        text += has_spirv(passes.back())
+                    ? word_array("fullscreen", checked(spirv::compile_vertex(passes.back())))
+                    : text_constant("fullscreen", joined(passes.back().vertex_pieces));
     return text + "}\n";
 }
 

@@ -38,8 +38,9 @@ double time_fetch_loop(vulkan::device& device, const gbuffer& inputs, unsigned r
     const binding bindings[] = {{.name = "depth", .resource = 1, .how = access::sample, .slot = 1},
                                 {.name = "output", .resource = 2, .how = access::store, .slot = 2}};
     const pass passes[] = {bare_pass(pieces, bindings)};
-    vulkan::runner runner(device, {.passes = passes, .resources = resources, .settings = {}, .features = {}, .defaults = {}}, inputs.depth.width, inputs.depth.height,
-                          {.guard = inputs.guard, .constants = {}, .shaders = {}});
+    vulkan::runner runner(
+        device, {.passes = passes, .resources = resources, .settings = {}, .features = {}, .defaults = {}},
+        inputs.depth.width, inputs.depth.height, {.guard = inputs.guard, .constants = {}, .shaders = {}});
     runner.upload("depth", inputs.device);
     return median_run(runner, repeats);
 }

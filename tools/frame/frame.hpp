@@ -61,9 +61,9 @@ struct frame_options {
 /// @throws std::runtime_error  that quotes the one that does not read so
 std::map<std::string, float> parse_settings(const std::vector<std::string>& texts);
 
-/// The recipe with what suits the device, where it names none: the first layer storage, in the order of the index
-/// of parts, that the device supports, where it captures layers; on a processor
-/// reads by image loads, and workgroups in columns.
+/// The recipe with what suits the device, where it names none: the first layer storage, in the order of the
+/// index of parts, that the device supports, where it captures layers; on a processor reads by image loads,
+/// and workgroups in columns.
 recipe supported(const vulkan::device& device, const recipe& chosen);
 
 /// An effect that is ready to run on a G-buffer, which must outlive it. The effect reads device depth and

@@ -114,21 +114,24 @@ recipe supported(const vulkan::device& device, const recipe& chosen) {
     const auto has = [](array_view<const choice> parts, role wanted) {
         return std::ranges::any_of(parts, [wanted](const choice& c) { return c.what->kind == wanted; });
     };
-    const auto with = [](const recipe& before, std::string_view part) {
-        return recipe(std::string(before.text().view()) + "/" + std::string(part));
+    const auto with = [](const recipe& before, const part& added) {
+        std::vector<const part*> known = {&added}; // of the others some may be a host's own
+        for (const choice& c : before.choices())
+            known.push_back(c.what);
+        return recipe(std::string(before.text().view()) + "/" + std::string(added.name), known);
     };
     recipe suited = chosen;
     if (device.is_processor() && !has(chosen.choices(), role::image_reads))
-        suited = with(suited, image_load::description.name);
+        suited = with(suited, image_load::description);
     if (device.is_processor() && !has(chosen.choices(), role::stage))
-        suited = with(suited, compute_columns_part::description.name);
+        suited = with(suited, compute_columns_part::description);
     const choice_list parts = complete(chosen.choices());
     if (!has(parts, role::layer_storage) || has(chosen.choices(), role::layer_storage))
         return suited;
     for (const part* storage : all_parts) {
         if (storage->kind != role::layer_storage)
             continue;
-        const recipe stored = with(suited, storage->name);
+        const recipe stored = with(suited, *storage);
         if (stored && device.features().cover(features(stored)))
             return stored;
     }

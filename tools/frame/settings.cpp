@@ -16,8 +16,8 @@ namespace {
 std::string names_of(const std::vector<effect_setting>& settings) {
     std::string names;
     for (const effect_setting& s : settings)
-        names += fmt::format("{}{}{}{}", names.empty() ? "" : ", ", s.shared ? "" : s.part, s.shared ? "" : ".",
-                             s.name);
+        names += fmt::format("{}{}{}{}", names.empty() ? "" : ", ", s.shared ? "" : s.part,
+                             s.shared ? "" : ".", s.name);
     return names;
 }
 

@@ -31,7 +31,9 @@ double time_table_copy(vulkan::device& device, unsigned width, unsigned height, 
     const binding bindings[] = {{.name = "from", .resource = 1, .how = access::modify, .slot = 1},
                                 {.name = "output", .resource = 2, .how = access::store, .slot = 2}};
     const pass passes[] = {bare_pass(pieces, bindings)};
-    vulkan::runner runner(device, {.passes = passes, .resources = resources, .settings = {}, .features = {}, .defaults = {}}, width, height);
+    vulkan::runner runner(
+        device, {.passes = passes, .resources = resources, .settings = {}, .features = {}, .defaults = {}},
+        width, height);
     return median_run(runner, repeats);
 }
 

@@ -54,7 +54,9 @@ double time_table_doubling(vulkan::device& device, unsigned width, unsigned heig
     for (const std::array<constant, 4>& own : constants)
         passes.push_back(
             bare_pass(pieces, passes.size() % 2 == 0 ? array_view<const binding>(there) : back, own));
-    vulkan::runner runner(device, {.passes = passes, .resources = resources, .settings = {}, .features = {}, .defaults = {}}, width, height);
+    vulkan::runner runner(
+        device, {.passes = passes, .resources = resources, .settings = {}, .features = {}, .defaults = {}},
+        width, height);
     return median_run(runner, repeats);
 }
 

@@ -25,8 +25,8 @@ template <class... Parts>
 inline constexpr bool make_an_effect = !check(choices_of<Parts...>);
 
 template <class Part, class... Parts>
-constexpr bool is_requested = !is_on_request(Part::description.kind) ||
-                              requires_role(choices_of<Parts...>, Part::description.kind);
+constexpr bool is_requested =
+    !is_on_request(Part::description.kind) || requires_role(choices_of<Parts...>, Part::description.kind);
 
 template <class Filter, class... After>
 constexpr bool gets_full_size = [] {
@@ -111,15 +111,15 @@ constexpr void assert_each_rule() {
                   assert_estimator_third<has_role<Estimator, role::estimator>, Estimator>() &&
                   (assert_rest_beside_three<may_follow<Rest>, Rest>() && ...) &&
                   assert_few_enough<(3 + sizeof...(Rest) <= most_chosen), Rest...>())
-        static_cast<void>(
-            assert_each<Sampler, DepthSource, Estimator, Rest...>() &&
-            (assert_asked_for<is_requested<Rest, Sampler, DepthSource, Estimator, Rest...>, Rest, DepthSource>() &&
-             ...) &&
-            assert_every_need<Sampler, DepthSource, Estimator, Rest...>());
+        static_cast<void>(assert_each<Sampler, DepthSource, Estimator, Rest...>() &&
+                          (assert_asked_for<is_requested<Rest, Sampler, DepthSource, Estimator, Rest...>,
+                                            Rest, DepthSource>() &&
+                           ...) &&
+                          assert_every_need<Sampler, DepthSource, Estimator, Rest...>());
 }
 
-/// Whether the parts make an effect; where they do not, an assertion says why. The rules are checked on values
-/// first, as a template for each rule and part costs a compiler more than all else.
+/// Whether the parts make an effect; where they do not, an assertion says why. The rules are checked on
+/// values first, as a template for each rule and part costs a compiler more than all else.
 template <class... Parts>
 constexpr bool assert_all() {
     if constexpr ((asserted_part<Parts>() && ...)) {

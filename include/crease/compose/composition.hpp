@@ -77,7 +77,7 @@ private:
     void write(const plan& planned, const planned_pass& each) {
         storage& own = storage_[used_++];
         const file_list files = files_of(planned, each);
-        const symbol_table* tables[64]{};
+        const symbol_table* tables[file_list::capacity]{};
         for (std::size_t i = 0; i < files.size(); ++i)
             tables[i] = &table_of(files[i]);
         own.written = write_program(planned, each, {tables, files.size()});

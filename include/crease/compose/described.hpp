@@ -38,7 +38,8 @@ constexpr pass describe(const plan& p, const planned_pass& planned) {
 constexpr piece piece_of(const linker::linked& what) {
     const definition& own = what.from->definitions.items[what.index];
     const glsl_file& file = *what.from->file;
-    return {file.name, {file.text.data() + own.begin, static_cast<std::size_t>(own.end - own.begin)},
+    return {file.name,
+            {file.text.data() + own.begin, static_cast<std::size_t>(own.end - own.begin)},
             file.first_line + own.line};
 }
 

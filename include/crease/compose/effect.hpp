@@ -58,14 +58,14 @@ template <std::size_t Words>
 constexpr unpacked<Words> unpack(const interface_text& text) {
     packed<Words> all{};
     for (std::size_t i = 0; i < Words; ++i)
-        all.words[i] = text.word(i);
+        all.words[i] = text.words[i];
     return std::bit_cast<unpacked<Words>>(all);
 }
 
 /// The characters of a program's interface, filled up with zeros.
 template <class Effect, std::size_t Pass>
-inline constexpr auto interface =
-    unpack<(written<Effect, Pass>.interface.size() + 7) / 8>(written<Effect, Pass>.interface);
+inline constexpr auto
+    interface = unpack<(written<Effect, Pass>.interface.size() + 7) / 8>(written<Effect, Pass>.interface);
 
 template <class Effect, std::size_t Pass>
 constexpr auto list_pieces() {
@@ -103,7 +103,8 @@ struct whole<Effect, std::index_sequence<Pass...>> {
     static constexpr refusal misfit = [] {
         pass_order order;
         refusal first;
-        ((first = first ? first : order.next(planned<Effect>, planned<Effect>.passes[Pass], written<Effect, Pass>)),
+        ((first = first ? first
+                        : order.next(planned<Effect>, planned<Effect>.passes[Pass], written<Effect, Pass>)),
          ...);
         return first;
     }();
@@ -115,7 +116,8 @@ struct whole<Effect, std::index_sequence<Pass...>> {
         return all;
     }();
     template <std::size_t Which>
-    static constexpr auto constants = shrink<written<Effect, Which>.constants.size()>(written<Effect, Which>.constants);
+    static constexpr auto
+        constants = shrink<written<Effect, Which>.constants.size()>(written<Effect, Which>.constants);
 
     template <std::size_t Which>
     static constexpr pass described() {
@@ -177,8 +179,9 @@ struct effect {
     static constexpr bool is_legal = rules::assert_all<Sampler, DepthSource, Estimator, Rest...>();
 
     /// The parts with their numbers: a `recipe` of them is the same effect at run time.
-    static constexpr choice choices[] = {rules::choice_or_none<Sampler>(), rules::choice_or_none<DepthSource>(),
-                                         rules::choice_or_none<Estimator>(), rules::choice_or_none<Rest>()...};
+    static constexpr choice choices[] = {
+        rules::choice_or_none<Sampler>(), rules::choice_or_none<DepthSource>(),
+        rules::choice_or_none<Estimator>(), rules::choice_or_none<Rest>()...};
 
     /// The passes in the order of execution, geometry passes of the host among them.
     static constexpr const auto& passes = composing::all_of<effect>::passes;
@@ -206,7 +209,8 @@ struct effect {
 
     /// The bytes of the uniform block.
     static auto block(const parameters& p) {
-        std::array<std::byte, block_size(composing::planned<effect>.views, composing::settings<effect>.size())>
+        std::array<std::byte,
+                   block_size(composing::planned<effect>.views, composing::settings<effect>.size())>
             bytes{};
         write_block(p, composing::planned<effect>.views, composing::settings<effect>.size(), bytes.data());
         return bytes;
@@ -215,9 +219,9 @@ struct effect {
     /// The whole text of a pass, NUL-terminated, with static storage; joined where it is first called for.
     template <std::size_t Pass>
     static std::string_view source() {
-        static const joining::text<joining::size_of(composing::pieces<effect, Pass>)> whole(
-            composing::pieces<effect, Pass>);
-        return whole.view();
+        static char characters[joining::size_of(composing::pieces<effect, Pass>) + 1];
+        static const std::string_view whole = joining::join(composing::pieces<effect, Pass>, characters);
+        return whole;
     }
 
     /// The effect as data, for a renderer.

@@ -8,9 +8,9 @@ namespace crease {
 /// One GLSL file, as text with static storage.
 ///
 /// A file is written so that C++ can include it as one raw string literal and GLSL can read it as it is. It
-/// has two halves: the contract, prototypes of what it calls, which C++ skips (`#ifndef __cplusplus`), and the
-/// body, which for GLSL stands between fences: `#else`, `__LINE__, R"glsl("`, `#endif` before it. A host's own part may
-/// also pass plain GLSL without a fence.
+/// has two halves: the contract, prototypes of what it calls, which C++ skips (`#ifndef __cplusplus`), and
+/// the body, which for GLSL stands between fences: `#else`, `__LINE__, R"glsl("`, `#endif` before it. A
+/// host's own part may also pass plain GLSL without a fence.
 struct glsl_file {
     std::string_view name;   ///< path below templates/crease, e.g. "estimator/hbao.glsl"; what an error names
     std::string_view text;   ///< the body; ends with a newline

@@ -44,7 +44,8 @@ public:
         std::uint64_t word = 0;
         std::size_t digits = 0;
         const bool is_rest = number >= 100'000'000;
-        for (unsigned rest = number % 100'000'000; rest != 0 || digits == 0 || (is_rest && digits < 8); rest /= 10, ++digits)
+        for (unsigned rest = number % 100'000'000; rest != 0 || digits == 0 || (is_rest && digits < 8);
+             rest /= 10, ++digits)
             word = word << 8 | static_cast<std::uint64_t>('0' + rest % 10);
         add(word, digits);
         return *this;
@@ -55,11 +56,10 @@ public:
 
     static constexpr std::size_t most_characters = 6000;
 
-    /// Eight characters, the first in the lowest byte; zeros after the last.
-    constexpr std::uint64_t word(std::size_t index) const { return words_[index]; }
-
     /// Writes all characters.
-    void write(char* to) const { std::memcpy(to, words_, size_); }
+    void write(char* to) const { std::memcpy(to, words, size_); }
+
+    std::uint64_t words[most_characters / 8] = {}; ///< eight characters each, the first in the lowest byte; then zeros
 
 private:
     constexpr interface_text& add(const char* from, std::size_t count) {
@@ -75,13 +75,12 @@ private:
             return;
         }
         const std::size_t at = size_ / 8, before = size_ % 8;
-        words_[at] |= characters << (8 * before);
+        words[at] |= characters << (8 * before);
         if (before + count > 8)
-            words_[at + 1] = characters >> (64 - 8 * before);
+            words[at + 1] = characters >> (64 - 8 * before);
         size_ += count;
     }
 
-    std::uint64_t words_[most_characters / 8] = {};
     std::size_t size_ = 0;
     bool is_cut_ = false;
 };

@@ -16,21 +16,16 @@ constexpr std::size_t size_of(array_view<const piece> pieces) {
     return size;
 }
 
-/// The pieces of a program one after the other, NUL-terminated. They are joined at run time, as a compiler would take
-/// longer for that than for all else together.
-template <std::size_t Size>
-struct text {
-    char characters[Size + 1];
-
-    explicit text(array_view<const piece> pieces) {
-        char* to = characters;
-        for (const piece& each : pieces) {
-            std::memcpy(to, each.text.data(), each.text.size());
-            to += each.text.size();
-        }
-        *to = '\0';
+/// Writes the pieces of a program one after the other. They are joined at run time, as a compiler would take longer for
+/// that than for all else together.
+/// @param to  of size_of(pieces) characters
+inline std::string_view join(array_view<const piece> pieces, char* to) {
+    std::size_t size = 0;
+    for (const piece& each : pieces) {
+        std::memcpy(to + size, each.text.data(), each.text.size());
+        size += each.text.size();
     }
-    std::string_view view() const { return {characters, Size}; }
-};
+    return {to, size};
+}
 
 }

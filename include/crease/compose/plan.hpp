@@ -30,8 +30,8 @@ struct planned_pass {
 struct plan {
     choice_list parts; ///< in the order of their roles
     fixed_list<planned_pass, most_passes> passes;
-    fixed_list<resource, most_resources> resources; ///< 0 is the block of parameters; of the others those that
-                                                    ///< no pass touches do not become the effect's
+    fixed_list<resource, most_resources> resources; ///< 0 is the block of parameters; of the others those
+                                                    ///< that no pass touches do not become the effect's
     fixed_list<effect_setting, most_settings> settings;
     unsigned views = 1;
     fixed_text<256> recipe; ///< the parts that were named, with their numbers
@@ -46,7 +46,9 @@ struct plan {
     }
     /// The part of a role that every effect has.
     constexpr const choice& chosen(role r) const { return *find(r); }
-    constexpr bool is_vulkan() const { return !has(chosen(role::dialect).what->offers, &opengl_words::value); }
+    constexpr bool is_vulkan() const {
+        return !has(chosen(role::dialect).what->offers, &opengl_words::value);
+    }
 
     /// The resource that a camera's pass finds under a name; -1 where there is none.
     constexpr int index_of(std::string_view name, unsigned view) const {
@@ -58,7 +60,6 @@ struct plan {
         return -1;
     }
 };
-
 
 inline constexpr step main_step{.name = "visibility"};
 
@@ -93,7 +94,8 @@ constexpr void add_settings(plan& p, const choice& c) {
     for (const setting& s : c.what->settings) {
         bool is_there = false;
         for (const effect_setting& before : p.settings)
-            is_there = is_there || (before.name == s.name && ((before.shared && s.shared) || before.part == c.what->name));
+            is_there = is_there || (before.name == s.name &&
+                                    ((before.shared && s.shared) || before.part == c.what->name));
         if (!is_there)
             p.settings.add({c.what->name, s.name, s.fallback, s.least, s.most, s.meaning, s.shared});
     }
@@ -164,6 +166,9 @@ constexpr void connect_chain(plan& p, std::size_t first, bool outputs) {
             if (described.life != (pass.last ? lifetime::output : lifetime::handed_on))
                 continue;
             resource own = described;
+            if (own.shape)
+                own.shape(own, {p.parts, output, p.views});
+            own.shape = nullptr;
             own.size = pass.size;
             if (!pass.last) {
                 own.name = between[i - first];

@@ -10,7 +10,7 @@
 
 namespace crease {
 
-using file_list = fixed_list<const glsl_file*, 64>;
+using file_list = fixed_list<const glsl_file*, 96>;
 using binding_list = fixed_list<binding, 16>;
 using constant_list = fixed_list<constant, 32>;
 
@@ -29,13 +29,21 @@ constexpr file_list files_of(const plan& p, const planned_pass& pass) {
     for (const glsl_file* file : pass.what->files)
         files.add(file);
     switch (pass.what->kind) {
-    case step_kind::texels: files.add(&build_glsl); break;
-    case step_kind::rows: files.add(&build_rows_glsl); break;
-    case step_kind::columns: files.add(&build_columns_glsl); break;
-    default: break;
+    case step_kind::texels:
+        files.add(&build_glsl);
+        break;
+    case step_kind::rows:
+        files.add(&build_rows_glsl);
+        break;
+    case step_kind::columns:
+        files.add(&build_columns_glsl);
+        break;
+    default:
+        break;
     }
     for (const choice& c : p.parts)
-        if (c.what->kind != role::filter && (c.what->kind != role::stage || pass.what->kind == step_kind::result))
+        if (c.what->kind != role::filter &&
+            (c.what->kind != role::stage || pass.what->kind == step_kind::result))
             for (const glsl_file* file : c.what->files)
                 files.add(file);
     for (const glsl_file* file : core_files)
@@ -48,8 +56,8 @@ class program_writer {
 public:
     constexpr program_writer(const plan& of, const planned_pass& pass, linker& found)
         : plan_(of), pass_(pass), found_(found), is_vulkan_(of.is_vulkan()),
-          is_result_(pass.what->kind == step_kind::result), has_main_(pass.stage == stage_kind::compute ||
-                                                                     pass.stage == stage_kind::fragment) {
+          is_result_(pass.what->kind == step_kind::result),
+          has_main_(pass.stage == stage_kind::compute || pass.stage == stage_kind::fragment) {
         const choice* placed = pass.stage == stage_kind::functions  ? of.find(role::stage)
                                : pass.stage == stage_kind::geometry ? &pass.owner
                                                                     : nullptr;
@@ -78,7 +86,9 @@ public:
 
 private:
     constexpr void use(std::string_view name) { found_.use(symbol_of(name, crease_prefix)); }
-    constexpr bool uses(std::string_view name) const { return found_.is_used(symbol_of(name, crease_prefix)); }
+    constexpr bool uses(std::string_view name) const {
+        return found_.is_used(symbol_of(name, crease_prefix));
+    }
     constexpr bool uses(std::string_view before, std::string_view name) const {
         return found_.is_used(symbol_of(name, symbol_of(before, crease_prefix)));
     }
@@ -88,9 +98,14 @@ private:
 
     constexpr void use_roots() {
         switch (pass_.stage) {
-        case stage_kind::functions: use("visibility"); return;
-        case stage_kind::geometry: use("capture"); return;
-        default: break;
+        case stage_kind::functions:
+            use("visibility");
+            return;
+        case stage_kind::geometry:
+            use("capture");
+            return;
+        default:
+            break;
         }
         if (is_result_) {
             use("evaluate");
@@ -257,8 +272,8 @@ private:
             write_constant("", "input_divisor", static_cast<int>(pass_.input_divisor));
         // A program for all cameras begins with the first and turns to the others itself.
         if (uses("view_index"))
-            out_.interface << (is_result_ && plan_.views > 1 ? "" : "const ") << "int crease_view_index = "
-                           << pass_.view << ";\n";
+            out_.interface << (is_result_ && plan_.views > 1 ? "" : "const ")
+                           << "int crease_view_index = " << pass_.view << ";\n";
     }
 
     constexpr void write_place(const binding& b) {
@@ -267,7 +282,9 @@ private:
         out_.interface << "binding = " << b.slot;
     }
 
-    static constexpr const char* prefix_of(const resource& r) { return facts_of(r.texels).whole_numbers ? "u" : ""; }
+    static constexpr const char* prefix_of(const resource& r) {
+        return facts_of(r.texels).whole_numbers ? "u" : "";
+    }
 
     constexpr void write_declaration(const binding& b) {
         const resource& r = plan_.resources[b.resource];
@@ -341,7 +358,8 @@ private:
             const bool is_image = b.how != access::sample;
             const char* texel = r.arrayed ? "ivec3" : "ivec2";
             if (uses("load_", b.name))
-                text << "\n" << prefix_of(r) << "vec4 crease_load_" << b.name << "(" << texel << " texel) { return "
+                text << "\n"
+                     << prefix_of(r) << "vec4 crease_load_" << b.name << "(" << texel << " texel) { return "
                      << (is_image ? "imageLoad(crease_" : "texelFetch(crease_") << b.name
                      << (is_image ? ", texel); }\n" : ", texel, 0); }\n");
             if (uses("size_of_", b.name))
@@ -362,7 +380,8 @@ private:
             const std::string_view image =
                 i == 0 ? std::string_view("output") : plan_.resources[pass_.outputs[i]].name;
             if (pass_.stage == stage_kind::compute)
-                text << " imageStore(crease_" << image << ", pixel, crease_encode_" << encoded(i) << "(result));";
+                text << " imageStore(crease_" << image << ", pixel, crease_encode_" << encoded(i)
+                     << "(result));";
             else
                 text << " crease_" << image << " = crease_encode_" << encoded(i) << "(result);";
         }
@@ -383,7 +402,9 @@ constexpr program write_program(const plan& p, const planned_pass& pass,
     linker found;
     for (const symbol_table* file : files)
         found.add(*file);
-    return program_writer(p, pass, found).write();
+    program written = program_writer(p, pass, found).write();
+    written.cut = written.cut || files.size() == file_list::capacity;
+    return written;
 }
 
 }

@@ -22,6 +22,7 @@ enum class role : unsigned char {
     layer_traversal, ///< which layers of a tap are fetched, and when
     receivers,       ///< whose visibility a pixel asks for
     output,          ///< what leaves the effect beside visibility
+    output_format,   ///< of the image of visibility
     filter,          ///< passes over the result: denoising, upsampling
     image_reads,     ///< how passes read what passes write
     stage,           ///< what a pass runs as
@@ -32,9 +33,10 @@ inline constexpr std::size_t role_count = static_cast<std::size_t>(role::dialect
 
 constexpr std::string_view name_of(role r) {
     constexpr std::string_view names[] = {
-        "projection", "depth encoding",  "normals",   "noise",  "further views", "coverage",
-        "layer storage", "scan",         "depth source", "sampler", "estimator", "layer traversal",
-        "receivers",  "output",          "filter",    "image reads", "stage",    "dialect"};
+        "projection", "depth encoding",  "normals",   "noise",        "further views",
+        "coverage",   "layer storage",   "scan",      "depth source", "sampler",
+        "estimator",  "layer traversal", "receivers", "output",       "output format",
+        "filter",     "image reads",     "stage",     "dialect"};
     return names[static_cast<unsigned>(r)];
 }
 

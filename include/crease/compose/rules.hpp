@@ -13,7 +13,7 @@
 namespace crease {
 
 /// The most parts that an effect may consist of, those filled in by default included.
-inline constexpr std::size_t most_parts = 28;
+inline constexpr std::size_t most_parts = 36;
 
 /// The most of these that may be named: the others are left to defaults.
 inline constexpr std::size_t most_chosen = 16;

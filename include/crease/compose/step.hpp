@@ -11,12 +11,12 @@ namespace crease {
 
 /// What runs a step, and what its GLSL defines.
 enum class step_kind : unsigned char {
-    result,  ///< `crease_result crease_evaluate(ivec2 pixel)`: the main pass, and after it those of filters, each
-             ///< of which reads what the one before hands on; in the stage of the effect
-    texels,  ///< compute, `void crease_build(ivec2 texel)` for each texel of what it writes
-    rows,    ///< compute, `void crease_build_line(int line)`, which the invocations of a workgroup in a row call
-             ///< together for a row. The workgroup's height is that many rows, and the last lines may lie
-             ///< outside
+    result, ///< `crease_result crease_evaluate(ivec2 pixel)`: the main pass, and after it those of filters,
+            ///< each of which reads what the one before hands on; in the stage of the effect
+    texels, ///< compute, `void crease_build(ivec2 texel)` for each texel of what it writes
+    rows, ///< compute, `void crease_build_line(int line)`, which the invocations of a workgroup in a row call
+          ///< together for a row. The workgroup's height is that many rows, and the last lines may lie
+          ///< outside
     columns, ///< the same for a column, of the invocations in a column of the workgroup
     geometry ///< `void crease_capture(vec3 anchor)`, for fragments of the host's geometry
 };
@@ -36,14 +36,15 @@ struct step {
     step_kind kind = step_kind::result;
     bool after = false; ///< whether it runs after the last filter
     array_view<const step_constant> constants{};
-    array_view<const std::string_view> writes{}; ///< resources of the effect's parts that it fills, of one size
-    access how = access::store;                  ///< how it fills them
-    int group_width = 16, group_height = 16;     ///< of a compute pass that is no result, invocations
-    int from = 0;                 ///< the part's first number from which on the step is there
-    int times = 1;                ///< how often it runs, one after the other
-    bool per_view = false;        ///< whether it runs once for each camera
+    array_view<const std::string_view>
+        writes{};                            ///< resources of the effect's parts that it fills, of one size
+    access how = access::store;              ///< how it fills them
+    int group_width = 16, group_height = 16; ///< of a compute pass that is no result, invocations
+    int from = 0;                            ///< the part's first number from which on the step is there
+    int times = 1;                           ///< how often it runs, one after the other
+    bool per_view = false;                   ///< whether it runs once for each camera
     bool full_size_input = false; ///< of a filter, whether its input must be as large as the picture
-    int upsampling = -1;          ///< of a filter, index of the number by which its output is larger; -1: none
+    int upsampling = -1; ///< of a filter, index of the number by which its output is larger; -1: none
 };
 
 }

@@ -26,9 +26,9 @@ inline constexpr symbol crease_prefix = symbol_of("crease_"), main_symbol = symb
 
 /// A function, struct, constant or variable at the top level of a file.
 struct definition {
-    symbol name = 0;                                  ///< begins with `crease_`, or is `main`
-    std::uint16_t begin = 0, end = 0;                 ///< whole lines of the text, comments before it included
-    std::uint16_t line = 0;                           ///< of the text, from 0
+    symbol name = 0;                  ///< begins with `crease_`, or is `main`
+    std::uint16_t begin = 0, end = 0; ///< whole lines of the text, comments before it included
+    std::uint16_t line = 0;           ///< of the text, from 0
     std::uint16_t first_reference = 0, references = 0; ///< into `symbol_table::references`
 };
 
@@ -46,8 +46,8 @@ constexpr bool is_word(char c) {
 }
 
 constexpr bool begins_with_prefix(const char* text, std::size_t left) {
-    return left > 7 && text[0] == 'c' && text[1] == 'r' && text[2] == 'e' && text[3] == 'a' && text[4] == 's' &&
-           text[5] == 'e' && text[6] == '_';
+    return left > 7 && text[0] == 'c' && text[1] == 'r' && text[2] == 'e' && text[3] == 'a' &&
+           text[4] == 's' && text[5] == 'e' && text[6] == '_';
 }
 
 }
@@ -85,8 +85,8 @@ constexpr symbol_table read_symbols(const glsl_file& file) {
                 const std::size_t first = i;
                 while (i < size && reading::is_word(text[i]))
                     ++i;
-                if (i - first == 4 && text[first] == 'm' && text[first + 1] == 'a' && text[first + 2] == 'i' &&
-                    text[first + 3] == 'n')
+                if (i - first == 4 && text[first] == 'm' && text[first + 1] == 'a' &&
+                    text[first + 2] == 'i' && text[first + 3] == 'n')
                     last = main_symbol;
             }
         } else if (c == '/' && i + 1 < size && text[i + 1] == '/') {

@@ -9,6 +9,7 @@ namespace crease {
 /// left out, and `cut` says so.
 template <class Item, std::size_t Capacity>
 struct fixed_list {
+    static constexpr std::size_t capacity = Capacity;
     Item items[Capacity]{};
     std::size_t count = 0;
     bool cut = false;

@@ -25,12 +25,12 @@ struct further_view {
     constexpr bool operator==(const further_view&) const = default;
 };
 
-/// What a host says to an effect each frame; `write_block` makes the bytes of the uniform block of it.
+/// What a host gives an effect each frame; `write_block` makes the bytes of the uniform block of it.
 struct parameters {
     view_parameters view; ///< of the picture
     further_view further_views[most_further_views];
-    float radius = 1;        ///< world-space AO radius R, view-space units, >= 0
-    std::uint32_t frame = 0; ///< index that changes the per-pixel randomness
+    float radius = 1;                ///< AO radius R, view-space units, >= 0
+    std::uint32_t frame = 0;         ///< index that changes the per-pixel randomness
     float settings[most_settings]{}; ///< in the order of `effect_view::settings`; see `set`
 
     constexpr bool operator==(const parameters&) const = default;
@@ -47,8 +47,9 @@ struct effect_setting {
 
     /// Whether `wanted` names it: `name` or `part.name`.
     constexpr bool is(std::string_view wanted) const {
-        return wanted == name || (wanted.size() == part.size() + 1 + name.size() && wanted.starts_with(part) &&
-                                  wanted[part.size()] == '.' && wanted.ends_with(name));
+        return wanted == name ||
+               (wanted.size() == part.size() + 1 + name.size() && wanted.starts_with(part) &&
+                wanted[part.size()] == '.' && wanted.ends_with(name));
     }
 };
 

@@ -35,8 +35,8 @@ struct binding {
     unsigned resource = 0; ///< index into the effect's resources
     access how = access::uniform;
     unsigned set = 0;  ///< Vulkan descriptor set; 0 in OpenGL
-    unsigned slot = 0; ///< Vulkan binding; in OpenGL the unit, counted for each of blocks, textures, images and
-                       ///< buffers
+    unsigned slot = 0; ///< Vulkan binding; in OpenGL the unit, counted for each of blocks, textures, images
+                       ///< and buffers
 };
 
 /// A number of a part: a specialization constant in Vulkan GLSL, a `const int` in OpenGL GLSL.

@@ -5,7 +5,8 @@
 
 namespace crease {
 
-/// What `far_depth` is of the distance of the far plane: a cleared texel must reach it in spite of rounding.
+/// `far_depth` as a share of the distance of the far plane: a cleared texel must reach it in spite of
+/// rounding.
 inline constexpr double far_share = 0.999;
 
 /// Which clip space a projection matrix maps to, and which row of the depth image comes first.
@@ -16,7 +17,7 @@ struct clip_space {
                        ///< viewport height); else it is row 0 (Vulkan, OpenGL)
 };
 
-/// Widens a projection by a guard band: from that of a picture to that which draws its larger depth image.
+/// Widens the projection of a picture by a guard band, to draw the larger depth image.
 /// @param matrix  column-major, view space to clip space
 /// @param width,height,guard  texels: of the picture, and the band on each of its sides
 constexpr void widen_projection(float (&matrix)[16], unsigned width, unsigned height, unsigned guard) {
@@ -30,13 +31,13 @@ constexpr void widen_projection(float (&matrix)[16], unsigned width, unsigned he
 
 /// Fills a view from a projection matrix, perspective or orthographic, also off-centre, with
 /// standard, reversed or infinite-far depth.
-/// @param matrix column-major, view space to clip space; with [11] = -1 and [15] = 0 perspective, with [11] =
-/// 0 and
-///               [15] = 1 orthographic
-/// @param width,height resolution of the picture in texels, > 0
-/// @param guard  width of the guard band in texels: the depth image is larger than the picture by as much on
+/// @param matrix  column-major, view space to clip space: perspective with [11] = -1 and [15] = 0,
+/// orthographic
+///                with [11] = 0 and [15] = 1
+/// @param width,height  resolution of the picture in texels, > 0
+/// @param guard   width of the guard band in texels, by which the depth image is larger than the picture on
 /// each
-///               side, and was drawn with the field of view that this makes; `matrix` is that of the picture
+///                side; `matrix` is the picture's, and `widen_projection` makes that of the depth image
 /// @return false, with `v` unchanged, where the matrix is neither or is singular, or a size is 0
 constexpr bool set_projection(view_parameters& v, const float (&matrix)[16], unsigned width, unsigned height,
                               clip_space clip = {}, unsigned guard = 0) {

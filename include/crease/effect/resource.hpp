@@ -24,7 +24,8 @@ enum class lifetime : unsigned char {
     constant,  ///< filled once, with what `resource::fill` gives
     transient, ///< written by a pass, read by later passes of the same frame
     handed_on, ///< of an output's description: what the main pass and filters hand on to the next
-    history,   ///< two: a pass writes one, and reads what the frame before wrote; swapped after each frame
+    history,   ///< one of two: a pass writes one and reads the other, what the frame before wrote; swapped
+               ///< after each frame
     report,    ///< written by a pass, for the host to read back: counters
     output     ///< written by the last pass, for the host
 };
@@ -39,17 +40,18 @@ struct resource {
                                   ///< samples as float will do
     std::string_view element{};   ///< of a buffer: the GLSL type of its elements, 4, 8 or 16 bytes: "uint"
     lifetime life = lifetime::input;
-    extent size{};                ///< of an image; of a buffer so many elements, times `layers`
-    unsigned layers = 1;          ///< of an array image; of a buffer elements for each texel
-    unsigned samples = 1;         ///< of a multisampled image
-    bool arrayed = false;         ///< an array image, also where it has one layer
-    bool centred = false;         ///< all samples of a texel lie at its centre
+    extent size{};        ///< of an image; of a buffer so many elements, times `layers`
+    unsigned layers = 1;  ///< of an array image; of a buffer elements for each texel
+    unsigned samples = 1; ///< of a multisampled image
+    bool arrayed = false; ///< an array image, also where it has one layer
+    bool centred = false; ///< all samples of a texel lie at its centre
     array_view<const std::string_view> further_names{}; ///< where each camera has its own, of the size of its
                                                         ///< picture: names of those beside the picture's
-    access read = access::sample; ///< how passes read it: by a sampler, or texel by texel (load)
-    std::string_view previous_of{}; ///< of a history: the resource whose content of the frame before it holds
-    bool cleared = false;         ///< whether it holds `clear` before the first pass of each frame
-    std::uint32_t clear = 0;      ///< bits of each component
+    access read = access::sample;   ///< how passes read it: by a sampler, or texel by texel (load)
+    std::string_view previous_of{}; ///< of a history that is read: the resource that passes write, whose
+                                    ///< content of the frame before it holds
+    bool cleared = false;           ///< whether it holds `clear` before the first pass of each frame
+    std::uint32_t clear = 0;        ///< bits of each component
     void (*fill)(array_view<std::uint32_t> texels) = nullptr; ///< of a constant: its texels, row after row
     void (*shape)(resource& own, const shape_of& effect) =
         nullptr; ///< of a part's description: says the size, layers, samples, format or fill by numbers

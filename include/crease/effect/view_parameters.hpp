@@ -8,8 +8,9 @@ namespace crease {
 /// The camera of a depth image: what a texel and its depth mean in view space.
 ///
 /// View space is right-handed, the camera looks down -Z, +Y is up. Depth is the positive distance along -Z.
-/// Texel space has texel (i, j) of the picture at the centre (i + 0.5, j + 0.5), its origin where the image's
-/// row 0 begins. The depth image may have a guard band: a border outside the picture, on all four sides.
+/// Texel space has the centre of the picture's texel (i, j) at (i + 0.5, j + 0.5), and its origin where row 0
+/// of the picture begins. The depth image may have a guard band: a border outside the picture, on all four
+/// sides.
 struct view_parameters {
     float from_texel[4] = {1, 1, 0, 0}; ///< xy scale and zw offset: texel -> view-space xy at depth 1
                                         ///< (perspective) or at any depth (orthographic)

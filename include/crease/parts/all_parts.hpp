@@ -2,8 +2,8 @@
 #pragma once
 
 // The index of all parts. To add one: its GLSL in templates/crease/<role>/<name>.glsl, its struct in
-// include/crease/<role>/<name>.hpp, one include and one line here, and its tests in
-// tests/pure/<role>/<name>.cpp.
+// include/crease/parts/<role>/<name>.hpp, one include and one line here beside those of its role, and its
+// tests in tests/pure/parts/<role>/<name>.cpp.
 
 #include <crease/parts/coverage/anisotropic_threshold.hpp>
 #include <crease/parts/coverage/hash_4d.hpp>
@@ -34,6 +34,9 @@
 #include <crease/parts/output/packed_bent_cone.hpp>
 #include <crease/parts/output/shade.hpp>
 #include <crease/parts/output/visibility_only.hpp>
+#include <crease/parts/output_format/r32f.hpp>
+#include <crease/parts/output_format/r8.hpp>
+#include <crease/parts/output_format/rgba8.hpp>
 #include <crease/parts/reads/image_load.hpp>
 #include <crease/parts/reads/texel_fetch.hpp>
 #include <crease/parts/receivers/first_surface.hpp>
@@ -114,6 +117,9 @@ inline constexpr const part* all_parts[] = {
     &bent_cone::description,
     &packed_bent_cone::description,
     &shade_part::description,
+    &r8::description,
+    &rgba8::description,
+    &r32f::description,
     &bilateral_part::description,
     &upsample_part::description,
     &perspective::description,

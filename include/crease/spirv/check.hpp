@@ -19,10 +19,10 @@ constexpr std::string_view name_of(binding_kind kind) {
 }
 
 constexpr binding_kind kind_of(access how, resource_kind of) {
-    return how == access::uniform          ? binding_kind::uniform_block
-           : of == resource_kind::buffer   ? binding_kind::storage_block
-           : how == access::sample ? binding_kind::sampled_image
-                                   : binding_kind::storage_image;
+    return how == access::uniform        ? binding_kind::uniform_block
+           : of == resource_kind::buffer ? binding_kind::storage_block
+           : how == access::sample       ? binding_kind::sampled_image
+                                         : binding_kind::storage_image;
 }
 
 /// Compares one module with one pass, and collects a sentence for each difference.
@@ -124,7 +124,8 @@ private:
             compare_image(b, r, f, name);
     }
 
-    void compare_image(const binding& b, const resource& image, const bound_resource& f, const std::string& name) {
+    void compare_image(const binding& b, const resource& image, const bound_resource& f,
+                       const std::string& name) {
         if (writes(b.how) || b.how == access::load)
             differ("the format of " + name, std::string(facts_of(image.texels).name),
                    std::string(facts_of(f.texels).name));
@@ -229,7 +230,8 @@ namespace crease::spirv {
 /// What a module, as compile() gives it, has otherwise than its effect declares: bindings, their names, kinds
 /// and formats, the layout of the block of parameters, specialization constants, workgroup size, colour
 /// output.
-/// @param declared  a compute, fragment or geometry pass of `effect`; of the last the module is the host's fragment
+/// @param declared  a compute, fragment or geometry pass of `effect`; of the last the module is the host's
+/// fragment
 ///                  shader with its functions, whose bindings are all there are
 /// @return one sentence for each difference; empty where there is none
 inline std::vector<std::string> mismatches(const effect_view& effect, const pass& declared,

@@ -153,6 +153,8 @@ private:
         b.kind = uniform ? binding_kind::uniform_block : binding_kind::storage_block;
         if (uniform)
             b.writable = false;
+        else
+            read_access(b, block);
         b.name = module_.name_of(block.result); // by which a host knows it
         for (std::uint32_t i = 0; i + 2 < block.operands.size(); ++i) {
             const int member = static_cast<int>(i);
@@ -165,6 +167,17 @@ private:
         }
         if (uniform)
             b.size = (b.size + 15) / 16 * 16;
+    }
+
+    /// Of a storage block the members say how it is accessed.
+    void read_access(bound_resource& b, const instruction& block) const {
+        bool readable = false, writable = false;
+        for (std::uint32_t i = 0; i + 2 < block.operands.size(); ++i) {
+            readable = readable || !has(block.result, spv::DecorationNonReadable, static_cast<int>(i));
+            writable = writable || !has(block.result, spv::DecorationNonWritable, static_cast<int>(i));
+        }
+        b.readable = b.readable && readable;
+        b.writable = b.writable && writable;
     }
 
     /// Bytes of a type within a block; of a runtime array 0.

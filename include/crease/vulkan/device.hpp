@@ -38,9 +38,7 @@ public:
     std::string name() const { return selected_.properties.deviceName; }
     device_features features() const { return features_; }
     /// Whether it is software that runs on a processor, such as lavapipe.
-    bool is_processor() const {
-        return selected_.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
-    }
+    bool is_processor() const { return selected_.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU; }
     const VkPhysicalDeviceLimits& limits() const { return selected_.properties.limits; }
     VkDevice handle() const { return logical_.handle; }
     VkPhysicalDevice physical() const { return selected_.physical; }

@@ -16,8 +16,9 @@ public:
     /// @param values  of the pass's constants, in their order
     /// @param outputs  the images that the pass writes
     /// @param size     of the outputs, texels
-    prepared_pass(const device& on, const pass& of, std::span<const resource> resources, const pass_shaders& shaders,
-                  std::span<const std::int32_t> values, const std::vector<image*>& outputs, VkExtent2D size)
+    prepared_pass(const device& on, const pass& of, std::span<const resource> resources,
+                  const pass_shaders& shaders, std::span<const std::int32_t> values,
+                  const std::vector<image*>& outputs, VkExtent2D size)
         : pass_(of), compute_(of.stage == stage_kind::compute),
           descriptors_(on, of.bindings, resources,
                        compute_ ? VK_SHADER_STAGE_COMPUTE_BIT : VK_SHADER_STAGE_FRAGMENT_BIT) {

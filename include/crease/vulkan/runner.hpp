@@ -17,7 +17,7 @@ namespace crease::vulkan {
 
 struct runner_options {
     unsigned guard =
-        0; ///< width of the guard band around the picture, texels: of depth, normals and captures
+        0; ///< width of the guard band around the picture, texels: of depth, normals and captured layers
     std::map<std::string, int> constants; ///< values other than the defaults, by "part.number"
     std::vector<pass_shaders> shaders;    ///< one for each pass, as compile() gives them; empty: compile them
 };
@@ -33,9 +33,8 @@ class runner {
 public:
     /// Makes the images, pipelines and descriptors of the effect, whose data must outlive the runner.
     /// @param width,height  of the picture in texels, > 0
-    /// @throws error         where a size is 0, the device lacks a feature, format, limit or memory, a
-    /// constant's
-    ///                       name is not the effect's, or a pass reads and writes one image
+    /// @throws error         where a size is 0, the device lacks a feature, format, limit or memory, the name
+    ///                       of a constant is not the effect's, or a pass reads and writes one image
     /// @throws spirv::error  where a pass does not compile
     runner(device& on, const effect_view& effect, std::uint32_t width, std::uint32_t height,
            const runner_options& options = {})
@@ -78,6 +77,16 @@ public:
     }
     void upload(std::string_view name, std::span<const std::byte> bytes) {
         vulkan::upload(device_, own_input(name), bytes);
+    }
+
+    /// Fills the first bytes of a buffer that is an input.
+    /// @throws error  where there is none of that name, or it is smaller
+    void upload_buffer(std::string_view name, std::span<const std::byte> bytes) {
+        const std::span<std::byte> to = buffer_of(name).bytes();
+        if (bytes.size() > to.size())
+            throw error("the buffer '" + std::string(name) + "' takes " + std::to_string(to.size()) +
+                        " bytes, not " + std::to_string(bytes.size()));
+        std::ranges::copy(bytes, to.begin());
     }
 
     /// Reads an input from an image of the same device, which must outlive the runner or the next binding of
@@ -164,13 +173,9 @@ public:
 
     /// The bytes of a buffer, e.g. of a report.
     /// @throws error  where there is none of that name
-    std::vector<std::byte> download_buffer(std::string_view name) {
-        for (std::size_t i = 0; i < own_buffers_.size(); ++i)
-            if (own_buffers_[i] && effect_.resources[i].name == name) {
-                const std::span<std::byte> bytes = own_buffers_[i]->bytes();
-                return {bytes.begin(), bytes.end()};
-            }
-        throw error("there is no buffer named '" + std::string(name) + "'");
+    std::vector<std::byte> download_buffer(std::string_view name) const {
+        const std::span<std::byte> bytes = buffer_of(name).bytes();
+        return {bytes.begin(), bytes.end()};
     }
 
     /// The image of a resource, e.g. to bind it to another runner.
@@ -347,6 +352,13 @@ private:
             if (!passes_[i] && !geometry_[i])
                 throw error("nothing is drawn in the geometry pass '" + std::string(effect_.passes[i].name) +
                             "'; set_geometry says what is");
+    }
+
+    const buffer& buffer_of(std::string_view name) const {
+        for (std::size_t i = 0; i < own_buffers_.size(); ++i)
+            if (own_buffers_[i] && effect_.resources[i].name == name)
+                return *own_buffers_[i];
+        throw error("there is no buffer named '" + std::string(name) + "'");
     }
 
     std::size_t geometry_pass_of(std::string_view name) const {

@@ -20,7 +20,8 @@ inline pass_shaders compile(const pass& which) {
     return {spirv::compile(which), drawn ? spirv::compile_vertex(which) : spirv::words()};
 }
 
-/// Compiles the passes of an effect, in their order; of geometry passes, which the host's shaders make whole, nothing.
+/// Compiles the passes of an effect, in their order; of geometry passes, which the host's shaders make whole,
+/// nothing.
 /// @throws spirv::error  where one does not compile
 inline std::vector<pass_shaders> compile(const effect_view& effect) {
     std::vector<pass_shaders> all;

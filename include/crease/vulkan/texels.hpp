@@ -52,7 +52,7 @@ constexpr texel_type texel_of(format f) {
 
 /// Of the elements of a buffer, by their GLSL type; 0 of one that crease does not know.
 constexpr std::size_t bytes_of_element(std::string_view glsl) {
-    return glsl == "uint" || glsl == "int" || glsl == "float" ? 4
+    return glsl == "uint" || glsl == "int" || glsl == "float"     ? 4
            : glsl == "uvec2" || glsl == "ivec2" || glsl == "vec2" ? 8
            : glsl == "uvec4" || glsl == "ivec4" || glsl == "vec4" ? 16
                                                                   : 0;

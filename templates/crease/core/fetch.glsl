@@ -9,18 +9,16 @@ crease_contribution crease_combine(crease_contribution a, crease_contribution b)
 __LINE__, R"glsl("
 #endif
 
-// What a depth source finds by default.
-
-// The layers that are fetched before it is known which of them are there.
+// Fetches the layers that are worth fetching before any is weighed: by default all.
 crease_layers crease_fetch_first_layers(vec2 texel) { return crease_fetch_layers(texel); }
 
-// All layers of a tap, of which the first are fetched.
+// Combines all layers of a tap, the first of which are fetched already.
 crease_contribution crease_combine_first_layers(crease_march march, crease_receiver receiver, crease_tap tap,
                                                 crease_layers layers) {
     return crease_combine_layers(march, receiver, tap, layers, true);
 }
 
-// The layers that were fetched, of which there is at least one; `wanted`: whether they matter.
+// Combines fetched layers, at least one; if not `wanted`, the result is not used.
 crease_contribution crease_combine_layers(crease_march march, crease_receiver receiver, crease_tap tap,
                                           crease_layers layers, bool wanted) {
     crease_contribution all = crease_weigh(march, receiver, tap, crease_layer_at(layers, 0));

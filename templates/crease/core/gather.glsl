@@ -14,12 +14,11 @@ void crease_close_direction(inout crease_gathered gathered, crease_march march, 
 __LINE__, R"glsl("
 #endif
 
-// Loops are unrolled where they are short, as a loop costs some drivers dearly: all directions, or else one, up to so
-// many layers of its taps.
+// Unroll fully up to this many layer fetches; otherwise unroll one direction if it fits.
 const int crease_most_unrolled = 128;
 const int crease_batch_size = 4;
 
-// Some taps of a direction. All are fetched before any is weighed, so that the waits overlap.
+// Fetches a batch of taps before any is weighed, so that their latencies overlap.
 void crease_gather_taps(inout crease_march march, inout crease_pattern pattern, crease_receiver receiver, int first) {
     crease_tap taps[crease_batch_size];
     crease_fetched fetched[crease_batch_size];
@@ -48,7 +47,7 @@ void crease_gather_direction(inout crease_gathered gathered, inout crease_patter
     crease_close_direction(gathered, march, receiver, direction);
 }
 
-// The loop of every technique: each tap of the sampler, each layer of the depth source, weighed by the estimator.
+// Every technique: for each direction and tap of the sampler, each layer of the depth source, weighed by the estimator.
 crease_gathered crease_gather(crease_receiver receiver) {
     crease_pattern pattern = crease_pattern_begin(receiver);
     crease_gathered gathered = crease_begin_gathering(receiver);

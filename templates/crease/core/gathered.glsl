@@ -6,7 +6,7 @@ void crease_end_direction(inout crease_estimate estimate, crease_march march);
 __LINE__, R"glsl("
 #endif
 
-// What is gathered around a receiver.
+// What the directions of a receiver sum up to.
 struct crease_gathered {
     crease_estimate estimate;
 };

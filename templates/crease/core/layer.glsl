@@ -6,7 +6,7 @@ __LINE__, R"glsl("
 // A surface at a texel.
 struct crease_layer {
     vec3 position; // view space
-    float texels;  // that it stands for: 1, or as many of an area as it holds
+    float texels;  // it stands for: 1, or the number of texels of an area
 };
 #ifdef __cplusplus
 ")glsl"

@@ -15,7 +15,7 @@ struct crease_receiver {
     vec3 normal;             // view space, unit
     vec3 to_eye;             // view space, unit
     vec3 tangent, bitangent; // view space, unit: the axes of the disk that faces the eye
-    mat2 disk;               // offsets on that disk, in units of the AO radius, to texels
+    mat2 disk;               // from offsets on that disk, in AO radii, to texels
 };
 
 crease_receiver crease_make_receiver(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {

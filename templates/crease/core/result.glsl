@@ -6,12 +6,11 @@ crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver
 __LINE__, R"glsl("
 #endif
 
-// The result of a receiver.
 crease_result crease_result_of(crease_receiver receiver) {
     return crease_conclude(crease_gather(receiver), receiver);
 }
 
-// A result in the view space of a camera, in that of the picture's camera, which `turn` leads from.
+// A result in the view space of a further camera, turned back to that of the first; `turn` leads from the first.
 crease_result crease_turned_back(crease_result result, mat3 turn) { return result; }
 #ifdef __cplusplus
 ")glsl"

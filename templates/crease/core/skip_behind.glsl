@@ -3,7 +3,7 @@
 __LINE__, R"glsl("
 #endif
 
-// Whether no layer behind the front one of a tap can matter.
+// True if the layers behind the front one cannot add occlusion.
 bool crease_skip_behind(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer front) {
     return false;
 }

@@ -9,8 +9,8 @@ __LINE__, R"glsl("
 // keep noise as fine as a texel: stochastic-depth-ao 8.2.
 uint crease_kept_samples(vec3 anchor) {
     vec3 width = max(abs(dFdx(anchor)), abs(dFdy(anchor)));
-    // An axis that the surface hardly moves along tells its places apart by those it moves along; cells as small as its
-    // own footprint would be too many to count.
+    // Along an axis that the surface is perpendicular to the footprint is next to 0: cells are no smaller than a 64th
+    // of the widest, as floats cannot count smaller ones.
     float greatest = max(max(width.x, width.y), max(width.z, 1.0e-20));
     vec3 level = log2(0.70710678 / max(width, vec3(greatest / 64.0)));
     vec3 coarse = floor(anchor * exp2(floor(level)));

@@ -5,8 +5,8 @@ float crease_hash_4d(vec4 v);
 __LINE__, R"glsl("
 #endif
 
-// A threshold in (0, 1] out of two hashes and how far between them: by itself the mix is not evenly distributed, so it
-// goes through its own cumulative distribution. Wyman and McGuire, Hashed Alpha Testing, 2017.
+// A threshold in (0, 1] from two hashes that are mixed by `between`. The mix is not uniform, so it goes through its own
+// cumulative distribution: Wyman and McGuire, Hashed Alpha Testing, 2017.
 float crease_threshold_of(vec2 hashes, float between) {
     float mixed = mix(hashes.x, hashes.y, between);
     float least = min(between, 1.0 - between);
@@ -17,7 +17,7 @@ float crease_threshold_of(vec2 hashes, float between) {
     return clamp(even, 1.0e-6, 1.0);
 }
 
-// The samples that keep a fragment whose anchor is at these two places of the grids.
+// The samples that keep a fragment whose anchor lies in these cells of the coarse and the fine grid.
 uint crease_kept_by_threshold(vec3 coarse, vec3 fine, float between) {
     uint kept = 0u;
     float seed = float(crease_frame & 1023u) * 32.0;

@@ -5,7 +5,7 @@ vec4 crease_area_texel(ivec2 at);
 __LINE__, R"glsl("
 #endif
 
-// The texels that the levels above them are made of.
+// Level 0 of a pyramid, of which the levels above are made.
 void crease_build(ivec2 texel) { imageStore(crease_area_tables, ivec3(texel, 0), crease_area_texel(texel)); }
 #ifdef __cplusplus
 ")glsl"

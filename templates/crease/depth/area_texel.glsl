@@ -9,15 +9,15 @@ vec3 crease_area_value(vec3 position, float centre);
 __LINE__, R"glsl("
 #endif
 
-// What a texel of a table stands for: the sum of what the estimator takes means of, over the picture's texels in it that
-// count, and their number: statistical-volumetric-obscurance 4.5 and 4.6.1.
+// A texel of a table: the sum of what the estimator averages, over those of the picture's texels in it that count, and
+// their number: statistical-volumetric-obscurance 4.5 and 4.6.1.
 
 // The first texel of the depth image that a texel of a table stands for.
 vec2 crease_area_corner(ivec2 at) {
     return (vec2(at) - crease_view.guard) * float(crease_divisor) + crease_view.guard;
 }
 
-// Of a texel of the picture alone, which is (i, j) of those that the table's texel stands for.
+// The share of one texel of the picture, which is (i, j) of those that the table's texel stands for.
 vec4 crease_area_part(ivec2 at, int i, int j) {
     vec2 texel = crease_area_corner(at) + vec2(i, j);
     float depth = crease_area_depth(crease_depth_at(texel));

@@ -8,9 +8,9 @@ vec3 crease_area_mean(vec4 sum);
 __LINE__, R"glsl("
 #endif
 
-// The sums over a box by the texels that texture filters take: four around its middle in each of two levels of a mip
-// chain, of which two texels are as wide as the box: statistical-volumetric-obscurance 3.3. Each is a layer of its own,
-// as the mean of all would take a far surface in one texel for a near one.
+// The sum over a box as a trilinear filter takes it: the four texels around its middle in each of the two levels of a
+// mip chain whose texels are about half as wide as the box: statistical-volumetric-obscurance 3.3. Each is a layer of
+// its own, as the mean of all would take a far surface in one texel for a near one.
 int crease_areas_divisor() { return crease_mip_chain_divisor; }
 
 const int crease_most_layers = 8;
@@ -19,7 +19,7 @@ struct crease_layers {
     vec4 sums[8];
 };
 
-// Those of a level, as a filter weighs them, out of as many texels of level 0 as `texels` says.
+// The four texels of a level, weighed as a filter does; together they stand for `texels` texels of level 0.
 void crease_mip_chain_between(inout crease_layers layers, vec2 texel, int level, int to, float texels) {
     ivec2 size = (crease_areas_size() + (1 << level) - 1) >> level;
     vec2 corner = texel / float(1 << level) - 0.5;

@@ -7,9 +7,9 @@ vec3 crease_area_mean(vec4 sum);
 __LINE__, R"glsl("
 #endif
 
-// The sums over a box by four squares of an N-buffer, one in each corner: statistical-volumetric-obscurance 3.3. What two
-// of them share counts twice, so a box is exact where its sides are powers of two. Each is a layer of its own, as the
-// mean of all would take a far surface in one corner for a near one.
+// The sums over a box by four squares of an N-buffer, one in each corner: statistical-volumetric-obscurance 3.3. What
+// two of them share counts twice, so a box is exact where its sides are powers of two. Each is a layer of its own, as
+// the mean of all would take a far surface in one corner for a near one.
 int crease_areas_divisor() { return crease_n_buffer_divisor; }
 
 const int crease_most_layers = 4;

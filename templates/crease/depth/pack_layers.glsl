@@ -8,8 +8,8 @@ bool crease_keeps_layer(float depth, float front);
 __LINE__, R"glsl("
 #endif
 
-// Gathers the samples of a texel: many of them hold the same fragment, and as the most occluding counts, once is
-// enough. So a tap looks at as many layers as there are, and not at as many as there are samples.
+// Packs the samples of a texel: many of them hold the same fragment, and each depth is kept once, as only the most
+// occluding layer of a tap counts. So a tap reads as many layers as there are, not as many as there are samples.
 void crease_build(ivec2 texel) {
     vec4 groups[(crease_stochastic_layers_count + 3) / 4];
     crease_unroll for (int group = 0; group < crease_group_count(); ++group)

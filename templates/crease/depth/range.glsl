@@ -3,7 +3,7 @@
 __LINE__, R"glsl("
 #endif
 
-// What one texel tells of all depths of the picture; 0 where none counts.
+// The nearest, farthest and mean depth of the picture, which one texel holds; 0 where no texel counts.
 float crease_range_nearest() { return crease_load_range(ivec2(0)).x; }
 
 float crease_range_farthest() { return crease_load_range(ivec2(0)).y; }

@@ -12,7 +12,7 @@ __LINE__, R"glsl("
 // invocations for it: each sums its piece, a scan of these sums gives what stands before it, and then each writes its
 // piece. The number of pieces is a power of 2.
 
-// Adds with what rounding has taken from the sum so far, so that a long piece is as exact as a short one.
+// Compensated (Kahan) summation, so that the sum of a long piece is as exact as that of a short one.
 void crease_scan_add(inout vec4 sum, inout vec4 lost, vec4 more) {
     precise vec4 own = more - lost;
     precise vec4 next = sum + own;

@@ -5,8 +5,8 @@ vec4 crease_area_texel(ivec2 at);
 __LINE__, R"glsl("
 #endif
 
-// A scan that makes the texels of the table of the whole picture as it reads them: twice, which is less than a pass that
-// stores them takes.
+// A scan that makes the texels of the whole picture's table as it reads them: twice, which costs less than a pass that
+// stores them.
 vec4 crease_scan_read(ivec3 at) { return crease_area_texel(at.xy); }
 
 vec4 crease_scan_reread(ivec3 at) { return crease_area_texel(at.xy); }

@@ -7,11 +7,10 @@ crease_contribution crease_combine(crease_contribution a, crease_contribution b)
 __LINE__, R"glsl("
 #endif
 
-// Of a texel, each of which keeps a layer.
+// Samples of a texel, each of which keeps a layer.
 int crease_sample_count() { return crease_stochastic_layers_count; }
 
-// Layers lie in groups of four, one in each component of a texel, the groups of each camera in a row; what is not there
-// is background.
+// Layers are packed in groups of four, one per component, the groups of each camera in a row; unused ones are background.
 int crease_group_count() { return (crease_stochastic_layers_count + 3) / 4; }
 
 const int crease_most_layers = crease_stochastic_layers_count;
@@ -22,7 +21,7 @@ struct crease_layers {
     vec4 groups[crease_most_groups];
 };
 
-// The groups from `first` until `end`, all before any is weighed, so that the waits overlap.
+// Fetches groups [first, end) before any is weighed, so that their latencies overlap.
 void crease_fetch_groups(inout crease_layers layers, int first, int end) {
     crease_unroll for (int group = first; group < end; ++group)
         layers.groups[group] = crease_load_packed_layers(
@@ -47,7 +46,7 @@ crease_layer crease_layer_at(crease_layers layers, int i) {
     return crease_layer(crease_view_position(layers.texel, layers.groups[i / 4][i % 4]), 1.0);
 }
 
-// Of a group that is in registers; its layers are written out for that.
+// The layers of a group are written out, which keeps it in registers.
 crease_contribution crease_combine_layer(crease_march march, crease_receiver receiver, crease_tap tap,
                                          crease_contribution all, float depth) {
     crease_layer layer = crease_layer(crease_view_position(tap.texel, depth), 1.0);
@@ -65,8 +64,8 @@ crease_contribution crease_combine_rest_of_group(crease_march march, crease_rece
     return all;
 }
 
-// The groups from `first`, 1 or more, until `end`; `more`: whether the first of them may hold any, and then whether one
-// after them may. The first is weighed without a branch, as where one tap has it those around mostly do.
+// Combines groups [first, end); `more` says whether the first may hold layers, and then whether one after the last may.
+// The first is weighed without a branch, as neighbouring taps mostly have it too.
 crease_contribution crease_combine_groups(crease_march march, crease_receiver receiver, crease_tap tap,
                                           crease_contribution all, crease_layers layers, int first, int end,
                                           inout bool more) {
@@ -103,7 +102,7 @@ crease_contribution crease_combine_layers(crease_march march, crease_receiver re
     return all;
 }
 
-// Groups that are fetched before it is known whether they are there; the others where they are asked for.
+// Groups fetched unconditionally; the rest are fetched on demand.
 const int crease_most_asked = 4;
 
 int crease_asked() { return min(crease_group_count(), crease_most_asked); }

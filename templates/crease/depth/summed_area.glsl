@@ -7,7 +7,7 @@ vec3 crease_area_mean(vec4 sum);
 __LINE__, R"glsl("
 #endif
 
-// One layer: all that the picture shows.
+// One layer: the mean of all that an area of the picture holds.
 int crease_areas_divisor() { return crease_summed_area_divisor; }
 
 const int crease_most_layers = 1;

@@ -17,7 +17,8 @@ __LINE__, R"glsl("
 // Splits each layer of one level by its mean over the sample area around each texel, and stores the nearer part:
 // statistical-volumetric-obscurance 4.4, Algorithm 2, lines 4, 8 and 9. The tables of the level begin with
 // `crease_summed_area_adaptive_split`. The splits of the levels before are made once more, as they read the same
-// places. Each texel of the picture goes its own way, those in one texel of smaller tables too.
+// places. Each texel of the picture chooses its layer on its own, also where a texel of a smaller table stands for
+// several.
 int crease_areas_divisor() { return crease_divisor; }
 
 const int crease_summed_area_adaptive_most = 4; // layers that one level splits

@@ -9,8 +9,8 @@ vec4 crease_area_texel(ivec2 at);
 __LINE__, R"glsl("
 #endif
 
-// Each texel in the table of its layer, and nothing in the others: statistical-volumetric-obscurance 4.3. Layers are as
-// thick as each other in what the estimator takes means of.
+// Each texel in the table of its layer, and nothing in the others: statistical-volumetric-obscurance 4.3. Layers are
+// equally thick in what the estimator averages.
 float crease_summed_area_uniform_value(float depth) {
     return crease_area_value(vec3(0.0, 0.0, -depth), crease_range_mean()).x;
 }

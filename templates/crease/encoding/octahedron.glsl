@@ -3,7 +3,8 @@
 __LINE__, R"glsl("
 #endif
 
-// A direction of any length as a point of the octahedron, each way in [-1, 1]; nil as that to the eye.
+// Octahedral encoding of a direction of any length, in [-1, 1] each way; a zero vector becomes the direction to the
+// eye.
 vec2 crease_octahedron(vec3 direction) {
     vec3 way = abs(direction);
     vec2 point = direction.xy / (way.x + way.y + way.z + 1e-20);

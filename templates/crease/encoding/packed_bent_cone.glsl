@@ -5,7 +5,7 @@ vec2 crease_octahedron(vec3 direction);
 __LINE__, R"glsl("
 #endif
 
-// The bent normal as a point of the octahedron, the cone's angle over a right one, and visibility.
+// The bent normal in octahedral encoding, the cone's half angle as a share of a right angle, and visibility.
 vec4 crease_encode_packed_bent_cone(crease_result result) {
     return vec4(crease_octahedron(result.bent) * 0.5 + 0.5, result.cone * (1.0 / 1.57079633), result.visibility);
 }

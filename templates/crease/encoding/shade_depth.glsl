@@ -5,7 +5,7 @@ crease_result crease_shade_result(float shade, float depth);
 __LINE__, R"glsl("
 #endif
 
-// Shade and depth; visibility follows from the shade.
+// Shade and depth; visibility is computed from the shade again.
 uvec4 crease_encode_between(crease_result result) {
     return uvec4(floatBitsToUint(result.shade), floatBitsToUint(result.depth), 0u, 0u);
 }

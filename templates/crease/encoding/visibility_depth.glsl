@@ -3,7 +3,7 @@
 __LINE__, R"glsl("
 #endif
 
-// Visibility in the low 8 bits, depth in the others: a depth is exact to 2^-15 of itself.
+// Visibility in the low 8 bits, depth in the others, which is exact to 2^-15 of itself.
 uvec4 crease_encode_between(crease_result result) {
     return uvec4((floatBitsToUint(result.depth) & ~255u) | uint(result.visibility * 255.0 + 0.5));
 }

@@ -5,8 +5,8 @@ vec2 crease_octahedron(vec3 direction);
 __LINE__, R"glsl("
 #endif
 
-// Visibility and depth in one word, as without a cone; in the other the bent normal as a point of the octahedron, in 12
-// bits each way, and the cone's angle in 8.
+// Visibility and depth in one word, as without a cone; in the other the bent normal in octahedral encoding, 12 bits
+// each way, and the cone's half angle in 8.
 uvec4 crease_encode_between(crease_result result) {
     uvec2 point = uvec2(crease_octahedron(result.bent) * 2047.0 + 2048.0);
     uint word = (floatBitsToUint(result.depth) & ~255u) | uint(result.visibility * 255.0 + 0.5);

@@ -50,8 +50,8 @@ crease_march crease_begin_direction(crease_estimate estimate, crease_receiver re
                         estimate.reach);
 }
 
-// sin(horizon) - sin(tangent) of a layer, both in the slice of the eye and the layer itself, which its texel moves off the
-// marched direction: so a plane is unoccluded at every slant.
+// sin(horizon) - sin(tangent) of a layer, both in the plane of the eye and the layer itself: that is not quite the
+// plane of the march, as a tap lies at the centre of its texel, and so a plane is unoccluded at every slant.
 float crease_hbao_rise(crease_march march, crease_receiver receiver, vec3 to_layer, float squared, float height) {
     float towards = dot(to_layer, receiver.to_eye);
     float along = height - march.n_dot_v * towards; // of the normal, across the ray to the eye, times the distance
@@ -91,13 +91,14 @@ void crease_add_behind(inout crease_march march, crease_contribution front, crea
 
 void crease_end_direction(inout crease_estimate estimate, crease_march march) { estimate.occlusion += march.occlusion; }
 
-// The normal, turned away from the horizon by its angle over the tangent: stochastic-depth-ao 7.1, Algorithm 11.
+// The normal, turned away from the horizon by the horizon's angle over the tangent: stochastic-depth-ao 7.1, Algorithm
+// 11.
 crease_open crease_open_direction(crease_march march, crease_receiver receiver, vec2 direction) {
     vec2 start = vec2(march.cos_tangent * march.bias.x - march.sin_tangent * march.bias.y,
                       march.sin_tangent * march.bias.x + march.cos_tangent * march.bias.y);
     float sin_horizon = min(march.sin_tangent + march.rise, 1.0);
     float cos_horizon = sqrt(1.0 - sin_horizon * sin_horizon);
-    // The horizon's angle less that at which the direction began.
+    // Of the angle between the horizon and where it began.
     float cosine = cos_horizon * start.x + sin_horizon * start.y;
     float sine = max(sin_horizon * start.x - cos_horizon * start.y, 0.0);
     return crease_turned_normal(receiver, direction, cosine, sine);

@@ -45,7 +45,8 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
     return counts ? crease_contribution(weight * falloff * rise, rise, weight) : crease_contribution(0.0, 0.0, weight);
 }
 
-// Where the front one lies below the tangent plane, and going away from the eye leads further down, so do all others.
+// If the front layer lies below the tangent plane and the ray of its texel goes further down, so do all layers behind
+// it.
 bool crease_skip_behind(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer front) {
     return !(dot(front.position - receiver.position, receiver.normal) > 0.0) &&
         dot(crease_to_eye(front.position), receiver.normal) >= 0.0;

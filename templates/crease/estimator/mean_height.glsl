@@ -54,7 +54,8 @@ float crease_estimate_occlusion(crease_estimate estimate) {
     return estimate.occlusion / max(estimate.texels, 1.0) * clamp((estimate.texels - 1.0) / 3.0, 0.0, 1.0);
 }
 
-// Means over areas are of positions, less the mean depth of the picture, so that sums stay small; background is in none.
+// Means over areas are of positions, less the mean depth of the picture, so that sums stay small; background is in
+// none.
 float crease_area_depth(float depth) { return depth > 0.0 && depth < crease_background ? depth : 0.0; }
 
 vec3 crease_area_value(vec3 position, float centre) { return vec3(position.z + centre, position.xy); }

@@ -3,16 +3,16 @@
 __LINE__, R"glsl("
 #endif
 
-// What a horizon leaves open, as bent normals take it.
+// Bent normals from horizons.
 
-// The angle with this cosine and sine: as sine times a polynomial it is at most 0.0006 off up to a right angle, and has no
-// root as acos has.
+// The angle of this cosine and sine, up to a right angle: sine times a polynomial is at most 0.0006 off, and needs no
+// square root as acos does.
 float crease_horizon_angle(float cosine, float sine) {
     return sine * (1.570207 + cosine * (-0.974326 + cosine * (0.605502 - cosine * 0.205034)));
 }
 
-// By how much a normal moves that is turned away from what stands in a direction, by the angle with this cosine and sine:
-// along the axes of the disk that faces the eye, and to the eye.
+// The change of the normal where it is turned away from an occluder in `direction` by the angle of this cosine and
+// sine: along the axes of the disk that faces the eye, and to the eye.
 crease_open crease_turned_normal(crease_receiver receiver, vec2 direction, float cosine, float sine) {
     vec2 on_disk = vec2(dot(receiver.normal, receiver.tangent), dot(receiver.normal, receiver.bitangent));
     float along = dot(on_disk, direction), facing = dot(receiver.normal, receiver.to_eye);
@@ -20,14 +20,13 @@ crease_open crease_turned_normal(crease_receiver receiver, vec2 direction, float
     return crease_open(turn, 1.0, crease_horizon_angle(cosine, sine));
 }
 
-// The sum of the directions' normals: the surface's own, a little more often lest they cancel each other, and by how much
-// they moved.
+// The sum of the directions' turned normals; the surface's own counts a little more, so that the sum is never zero.
 vec3 crease_open_mean(crease_open open, crease_receiver receiver) {
     return receiver.normal * (open.weight + 1e-6) + receiver.tangent * open.sum.x + receiver.bitangent * open.sum.y +
         receiver.to_eye * open.sum.z;
 }
 
-// The mean of the directions' cones: what the turns leave of a right angle.
+// The cone's half angle: a right angle less the mean angle of the turns.
 float crease_open_cone(crease_open open) { return 1.57079633 - open.turned / open.weight; }
 #ifdef __cplusplus
 ")glsl"

@@ -7,8 +7,8 @@ __LINE__, R"glsl("
 #endif
 
 // Range-checked points: stochastic-depth-ao, Algorithm 1. Geometry further than the radius is ignored, as 4.1 says; the
-// listing's smoothstep of R / |p.z - d| would leave half of it there at two radii. What hides a point from the eye and is
-// out of range says nothing of it.
+// listing's smoothstep of R / |p.z - d| would leave half of it there at two radii. What hides a point from the eye and
+// is out of range says nothing of it.
 struct crease_estimate {
     float occluded; // points
     float points;
@@ -49,8 +49,8 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
     if (!tap.inside)
         return crease_ssao_contribution(tap, 0.0, 0.0, 1.0);
     float before = layer.position.z - receiver.position.z;
-    // Of layers that occlude nothing, one that leaves the point open counts before one that says nothing, and either before
-    // none at all.
+    // Of layers that do not occlude, the tiny negative numbers make one behind the point win over one that is out of
+    // range, and either over background, where layers are combined by the greater occlusion.
     if (before - march.rounding < tap.offset.z) {
         float nothing = layer.position.z > -0.5 * crease_background ? 0.0 : -2e-6;
         return crease_ssao_contribution(tap, nothing, 1.0, 1.0 - nothing);

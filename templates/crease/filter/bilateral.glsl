@@ -10,7 +10,7 @@ __LINE__, R"glsl("
 
 // One direction of a separable cross-bilateral blur with a depth-slope correction: stochastic-depth-ao 8.1.
 
-// The slope of one side, or where that looks like an edge, the other side's carried on.
+// The slope of one side, or where that looks like an edge, that of the other side, extrapolated.
 float crease_bilateral_slope(float own, float other, float tightness) {
     return abs(own) * tightness > 1.0 && abs(own) > 2.0 * abs(other) ? -other : own;
 }

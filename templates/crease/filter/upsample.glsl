@@ -12,9 +12,9 @@ crease_result crease_mean(crease_result sum, float weights, float depth);
 __LINE__, R"glsl("
 #endif
 
-// Each texel of the picture from the four nearest of the smaller one, weighed by distance and by how near they lie to the
-// texel's tangent plane, so that a slanted surface does not fall into steps. Likeness of normals is no weight: near a
-// crease it leaves the few samples of one side, and shows them.
+// Each texel of the picture from the four nearest of the smaller one, weighed by distance and by how near they lie to
+// the texel's tangent plane, so that a slanted surface does not fall into steps. Normals are no weight: near a crease
+// they would leave the few samples of one side, whose noise shows.
 crease_result crease_evaluate(ivec2 pixel) {
     vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
     float depth = crease_depth_at(texel);

@@ -16,7 +16,7 @@ struct crease_result {
     float cone;       // half angle of the bent cone, radians
 };
 
-// What estimators know of open directions.
+// The open directions that an estimator finds.
 struct crease_open {
     vec3 sum;     // as the estimator defines it
     float weight; // of what is in the sum

@@ -10,7 +10,7 @@ crease_result crease_open_result();
 __LINE__, R"glsl("
 #endif
 
-// The surface that the depth image holds; false where there is background.
+// The surface in the depth image; false for background.
 bool crease_receive(ivec2 pixel, out crease_receiver receiver) {
     vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
     float depth = crease_depth_at(texel);

@@ -3,13 +3,14 @@
 __LINE__, R"glsl("
 #endif
 
-// The square around the receiver, as an area: the loops of unsharp-mask-ssao's listing. The listing counts both edges of
-// the picture in: a texel just past the far one reads the last, which is a tap of its own where it is asked for.
+// The square around the receiver, as an area: the loops of unsharp-mask-ssao's listing. The listing also reads one
+// texel just past the far edge, which repeats the last; where that is asked for, it is a tap of its own.
 struct crease_pattern {
     vec2 rows; // top and bottom edge, texels
 };
 
-// The edges of the square along one axis, within the depth image; or of the last texel, where the square reaches past it.
+// The edges of the square along one axis, within the depth image; or of the last texel, where the square reaches past
+// it.
 vec2 crease_box_area_edges(float texel, float size, bool past) {
     float before = texel - float(crease_box_area_size / 2);
     float after = before + float(crease_box_area_size / 2 * 2);

@@ -23,7 +23,7 @@ vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver rece
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
     vec2 texel = receiver.texel + vec2(float(step - crease_box_window_half()), pattern.row);
-    // The listing counts both edges in: a texel just past the far one reads the last.
+    // The listing also reads one texel just past the far edge, which repeats the last.
     vec2 size = crease_depth_size();
     bool inside = all(greaterThanEqual(texel, vec2(0.0))) && all(lessThanEqual(texel, size));
     return crease_tap(min(texel, size - 1.0), inside, 1.0);

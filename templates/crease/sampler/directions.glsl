@@ -6,12 +6,12 @@ float crease_share_inside(vec2 from, vec2 way);
 __LINE__, R"glsl("
 #endif
 
-// Directions that divide the circle evenly, and steps that grow by a power of their index; both start at a random offset
-// per pixel: stochastic-depth-ao, Algorithms 2 and 3.
+// Directions that divide the circle evenly, and steps that grow by a power of their index; both start at a random
+// offset per pixel: stochastic-depth-ao, Algorithms 2 and 3.
 struct crease_pattern {
     vec2 direction; // unit, on the disk that faces the eye
     vec2 first;     // texels: where the march begins; rounded down it is the texel
-    vec2 march;     // texels: of a step of 1; of all steps together to the radius or the picture's edge
+    vec2 march;     // texels at one step; all steps together reach the radius or the picture's edge
     float share;    // of the radius, that the march covers
     float offset;   // of step 0, in steps
     float nearest;  // radii that make a texel, in the root mean square over the directions on the screen
@@ -22,7 +22,8 @@ float crease_directions_angle() { return 6.28318531 / float(crease_directions_co
 crease_pattern crease_pattern_begin(crease_receiver receiver) {
     vec2 noise = crease_noise(receiver.pixel);
     float angle = noise.x * crease_directions_angle();
-    // In each direction more than 1 / sqrt(2) of the texels that it says, so no tap falls on the receiver itself.
+    // A texel in the root mean square over all directions is at least 1 / sqrt(2) of a texel in each, so no tap falls
+    // on the receiver itself.
     float texels = abs(determinant(receiver.disk)) *
         inversesqrt(0.5 * (dot(receiver.disk[0], receiver.disk[0]) + dot(receiver.disk[1], receiver.disk[1])));
     return crease_pattern(vec2(cos(angle), sin(angle)), vec2(0.0), vec2(0.0), 1.0, noise.y, 1.0 / texels);
@@ -34,7 +35,7 @@ int crease_step_count() { return crease_directions_steps; }
 
 vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver receiver, int direction) {
     vec2 turn = vec2(cos(crease_directions_angle()), sin(crease_directions_angle()));
-    // Of an even count each other one is the opposite of that before it, with which it shares much of its weighing.
+    // With an even count each second direction is the opposite of the one before, with which it shares arithmetic.
     bool opposite = crease_directions_count % 2 == 0 && direction % 2 == 1;
     pattern.direction = opposite ? -pattern.direction
                                  : vec2(turn.x * pattern.direction.x - turn.y * pattern.direction.y,

@@ -40,7 +40,8 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     vec3 nearest = start + ray * middle;
     float half_chord = sqrt(max(crease_radius * crease_radius - dot(nearest, nearest), 0.0) / dot(ray, ray));
     vec2 chord = vec2(middle - half_chord, middle + half_chord);
-    // Over the tangent plane is what is in front of it, or behind where the ray comes from under it.
+    // The part of the chord over the tangent plane: before where the ray meets it, or behind where the ray rises
+    // through it.
     float rise = dot(ray, receiver.normal);
     float plane = -dot(start, receiver.normal) / (abs(rise) < 1e-6 ? (rise < 0.0 ? -1e-6 : 1e-6) : rise);
     plane = clamp(plane, chord.x, chord.y);

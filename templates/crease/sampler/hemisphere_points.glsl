@@ -48,7 +48,7 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     vec3 start, ray;
     crease_texel_ray(receiver, texel, start, ray);
     vec3 moved = start - ray * offset.z;
-    // A point that its texel moved out of the hemisphere says nothing; so a plane is unoccluded at every slant.
+    // A point that moving to its texel took out of the hemisphere is left out; so a plane is unoccluded at every slant.
     bool above = dot(moved, receiver.normal) > 0.0;
     return crease_tap(texel, above && point.z < 0.0 && crease_inside(texel), moved);
 }

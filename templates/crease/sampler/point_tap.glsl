@@ -10,8 +10,8 @@ struct crease_tap {
     vec3 offset; // from the receiver, view space
 };
 
-// The height over the tangent plane up to which a point says nothing, as rounding may put it on either side of a surface: a
-// share of the radius, or of the depth where the radius is larger.
+// The height over the tangent plane up to which a point is left out, as rounding may put it on either side of the
+// surface: a share of the radius, or of the depth where the radius is larger.
 float crease_point_bias(crease_receiver receiver, float bias) {
     return bias * min(crease_radius, -receiver.position.z);
 }

@@ -3,9 +3,8 @@
 __LINE__, R"glsl("
 #endif
 
-// A scan by the device's own: the sums of all lines stand one after another, whatever the invocations' places, and each
-// subgroup, of which all are full, scans its share of them. It may hold several lines, which it takes one by one, or a
-// part of one.
+// A scan by subgroup operations: the sums of all lines are laid out one after another in shared memory, and each
+// subgroup, all of which are full, scans its share of them: several lines, one by one, or a part of one.
 shared vec4 crease_scan_sums[gl_WorkGroupSize.x * gl_WorkGroupSize.y];
 shared vec4 crease_scan_shares[gl_WorkGroupSize.x * gl_WorkGroupSize.y]; // of each subgroup
 

@@ -3,8 +3,8 @@
 __LINE__, R"glsl("
 #endif
 
-// The workgroup's place: in columns that are so many wide, as a texel has left the cache when a row of a large picture
-// comes to it again. Quotients are of floats, as many devices have none of whole numbers.
+// The workgroup's place: workgroups run down the picture in columns, as in whole rows of a large picture a texel has
+// left the cache before the next row needs it. Quotients are of floats, as many devices divide whole numbers slowly.
 uvec2 crease_workgroup() {
     const float width = float(crease_compute_columns_across);
     vec2 groups = vec2(uvec2(crease_size(crease_divisor) - 1) / gl_WorkGroupSize.xy + 1u);

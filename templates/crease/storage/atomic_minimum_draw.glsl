@@ -9,8 +9,8 @@ __LINE__, R"glsl("
 // Draws a fragment to those layers of an array image that keep it, each of which keeps its nearest: positive floats
 // are ordered as their bits are. Algorithm 4 of stochastic-depth-ao without multisampling.
 
-// In the fragment shader of the geometry pass, after its own alpha test. `anchor`: the position on the surface, in
-// world or object space; what samples the layers may hash it.
+// Called by the host's fragment shader, after its own alpha test. `anchor`: the position on the surface, in world or
+// object space, which a coverage may hash.
 void crease_capture(vec3 anchor) {
     uint bits = floatBitsToUint(crease_linear_depth(gl_FragCoord.z));
     for (uint kept = crease_kept_samples(anchor); kept != 0u; kept &= kept - 1u)

@@ -8,8 +8,8 @@ __LINE__, R"glsl("
 // All samples lie at the centre of the texel, so no depth has to be written, and the device may test depths before it
 // shades: stochastic-depth-ao 6.1.
 
-// In the fragment shader of the geometry pass, after its own alpha test. `anchor`: the position on the surface, in
-// world or object space; what samples the layers may hash it.
+// Called by the host's fragment shader, after its own alpha test. `anchor`: the position on the surface, in world or
+// object space, which a coverage may hash.
 void crease_capture(vec3 anchor) { crease_mask_samples(anchor); }
 #ifdef __cplusplus
 ")glsl"

@@ -7,8 +7,8 @@ __LINE__, R"glsl("
 
 // Samples lie anywhere in the texel, and all have the depth at its centre: stochastic-depth-ao 6.1.
 
-// In the fragment shader of the geometry pass, after its own alpha test. `anchor`: the position on the surface, in
-// world or object space; what samples the layers may hash it.
+// Called by the host's fragment shader, after its own alpha test. `anchor`: the position on the surface, in world or
+// object space, which a coverage may hash.
 void crease_capture(vec3 anchor) {
     crease_mask_samples(anchor);
     gl_FragDepth = gl_FragCoord.z;

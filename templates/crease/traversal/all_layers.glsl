@@ -17,8 +17,7 @@ void crease_traverse(inout crease_march march, crease_receiver receiver, crease_
     crease_add(march, crease_combine_first_layers(march, receiver, tap, fetched.layers));
 }
 
-// Whether a captured layer is kept, where the depth image has `front`: what is nearer was drawn to a sample beside the
-// centre of the texel.
+// Captured layers are kept if they do not lie before the depth image's: those were drawn to samples off the texel's centre.
 bool crease_keeps_layer(float depth, float front) { return depth >= front - 1e-4 * front; }
 #ifdef __cplusplus
 ")glsl"

@@ -8,8 +8,8 @@ void crease_add(inout crease_march march, crease_contribution contribution);
 __LINE__, R"glsl("
 #endif
 
-// The layers of an area, each of which counts by how many texels it holds in it: statistical-volumetric-obscurance 4.3,
-// equation 4.4. What an area holds is too much to keep for a batch of taps.
+// Each layer of an area counts by its number of texels: statistical-volumetric-obscurance 4.3, equation 4.4. Nothing is
+// fetched ahead, as the layers of an area are too many to keep for a batch of taps.
 struct crease_fetched {
     bool nothing;
 };
@@ -20,7 +20,7 @@ void crease_traverse_area(inout crease_march march, crease_receiver receiver, cr
                           int i) {
     crease_layer layer = crease_layer_at(layers, i);
     crease_contribution own = crease_weigh(march, receiver, tap, layer);
-    if (layer.texels >= 0.01) // else it is what differences of tables leave
+    if (layer.texels >= 0.01) // less is rounding
         crease_add(march, own);
 }
 

@@ -20,8 +20,8 @@ crease_contribution crease_combine_layers(crease_march march, crease_receiver re
 __LINE__, R"glsl("
 #endif
 
-// The loop of every technique in two: the front surface of each tap, and then, of each batch of taps, the layers behind
-// the first front surfaces where they may matter. Nothing branches on what is found, so no lane waits for another.
+// Gathers in two rounds: all front surfaces first, then for each batch of taps the layers behind the first few fronts that
+// may hide some. No branch depends on the picture, so lanes do not diverge.
 const int crease_most_batches = 16; // kept together: those of the most steps of a direction
 const int crease_most_looks = crease_most_batches * crease_batch_size;
 const int crease_most_layers_kept = 128; // of all looks, where all directions are kept together

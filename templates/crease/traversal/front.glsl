@@ -7,7 +7,7 @@ bool crease_skip_behind(crease_march march, crease_receiver receiver, crease_tap
 __LINE__, R"glsl("
 #endif
 
-// The front surface of a tap; the layers behind it are fetched where they are asked for: stochastic-depth-ao 6.3.
+// Fetches the front surface only; layers behind it are fetched on demand: stochastic-depth-ao 6.3.
 struct crease_fetched {
     float front; // depth
 };
@@ -18,8 +18,8 @@ crease_layer crease_front_layer(crease_tap tap, crease_fetched fetched) {
     return crease_layer(crease_view_position(tap.texel, fetched.front), 1.0);
 }
 
-// Whether layers behind the front one may matter: not where that is nearer to the receiver than `reach` radii, and
-// `by_angle` not where the estimator skips them.
+// Whether layers behind the front one may add occlusion: not if it lies within `reach` radii, nor, `by_angle`, if the
+// estimator skips them.
 bool crease_behind_matters(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer front, float reach,
                            bool by_angle) {
     vec3 to_front = front.position - receiver.position;
@@ -28,7 +28,7 @@ bool crease_behind_matters(crease_march march, crease_receiver receiver, crease_
         !(by_angle && crease_skip_behind(march, receiver, tap, front));
 }
 
-// Whether a captured layer is kept, where the depth image has `front`: only what lies behind it is.
+// Captured layers are kept if they lie behind the depth image's.
 bool crease_keeps_layer(float depth, float front) { return depth > front + 1e-4 * front; }
 #ifdef __cplusplus
 ")glsl"

@@ -11,7 +11,7 @@ void crease_add(inout crease_march march, crease_contribution contribution);
 __LINE__, R"glsl("
 #endif
 
-// The front surface of each tap, and at once what lies behind it: stochastic-depth-ao 6.3.
+// The front surface of each tap, then at once the layers behind it if they may add occlusion: stochastic-depth-ao 6.3.
 void crease_traverse(inout crease_march march, crease_receiver receiver, crease_tap tap, crease_fetched fetched) {
     crease_layer front = crease_front_layer(tap, fetched);
     crease_contribution all = crease_weigh(march, receiver, tap, front);

@@ -6,7 +6,7 @@ __LINE__, R"glsl("
 // The depth image holds positive linear view depth.
 float crease_depth_at(vec2 texel) {
     float depth = textureLod(crease_depth, (texel + 0.5) * crease_view.texel_size, 0.0).x;
-    return depth > 0.0 && depth < crease_view.far_depth ? depth : crease_background; // a hole is no occluder at the eye
+    return depth > 0.0 && depth < crease_view.far_depth ? depth : crease_background; // 0 is a hole, not a surface at the eye
 }
 #ifdef __cplusplus
 ")glsl"

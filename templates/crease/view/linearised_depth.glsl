@@ -3,7 +3,7 @@
 __LINE__, R"glsl("
 #endif
 
-// A pass before has stored linear depth.
+// Linear depth, which an earlier pass has stored.
 float crease_depth_at(vec2 texel) {
     vec2 there = crease_inside(texel) ? texel : crease_first_texel;
     return crease_load_linearised_depth(ivec2(there)).x;

@@ -7,8 +7,8 @@ vec3 crease_to_eye(vec3 position);
 __LINE__, R"glsl("
 #endif
 
-// The normal of the plane through the receiver and its neighbours: of left and right, and of up and down, the one
-// that is nearer in depth.
+// The normal of the plane through the receiver and two neighbours: of left and right, and of up and down, the one that
+// is nearer in depth.
 vec3 crease_reconstructed_normals_tangent(vec2 texel, vec3 position, vec2 axis) {
     vec2 before_texel = texel - axis, after_texel = texel + axis;
     vec3 before = crease_view_position(before_texel, crease_depth_at(before_texel));

@@ -12,7 +12,8 @@ inline constexpr glsl_file anisotropic_threshold_glsl{
 
 /// Coverage: thresholds anchored to the surface, by the footprint along each axis.
 struct anisotropic_threshold {
-    static constexpr const glsl_file* files[] = {&sine_hash_glsl, &threshold_glsl, &anisotropic_threshold_glsl};
+    static constexpr const glsl_file* files[] = {&sine_hash_glsl, &threshold_glsl,
+                                                 &anisotropic_threshold_glsl};
     static constexpr part description{
         .kind = role::coverage,
         .name = "anisotropic_threshold",

@@ -54,7 +54,6 @@ inline constexpr number levels_take[] = {
     {"levels", 1, 10, 9, "of which the last takes in squares of 2^(levels - 1) texels to a side"},
     {"divisor", 1, 4, 1, "how much smaller the sides of the first are"}};
 
-
 }
 
 }

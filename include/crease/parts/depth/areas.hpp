@@ -6,7 +6,7 @@
 
 namespace crease {
 
-/// One value is all that is summed over areas, so that two channels of texels hold it and the count.
+/// Sums a single value over areas, so that two channels of a table hold it and the count.
 CREASE_TRAIT(single_area_value, estimator, "one value must be all that is summed over areas, and it is not");
 
 /// What the means over areas are of, by three functions that the passes of the tables and the main pass call:
@@ -128,14 +128,16 @@ inline constexpr const glsl_file* made_files[] = {&scan_glsl, &scan_made_glsl};
 
 /// What the passes and the main pass of a depth source of areas share, after its own GLSL.
 template <const glsl_file* Own>
-inline constexpr const glsl_file* files[] = {Own,             &range_glsl,       &area_texel_glsl,
-                                             &area_mean_glsl, &areas_stored_glsl, &area_box_glsl,
+inline constexpr const glsl_file* files[] = {Own,
+                                             &range_glsl,
+                                             &area_texel_glsl,
+                                             &area_mean_glsl,
+                                             &areas_stored_glsl,
+                                             &area_box_glsl,
                                              &area_query_glsl};
 
-inline constexpr step range_of_columns{.name = "range_of_columns",
-                                       .files = columns_files,
-                                       .kind = step_kind::columns,
-                                       .writes = columns_name};
+inline constexpr step range_of_columns{
+    .name = "range_of_columns", .files = columns_files, .kind = step_kind::columns, .writes = columns_name};
 inline constexpr step range_of_picture{.name = "range_of_picture",
                                        .files = picture_files,
                                        .kind = step_kind::rows,

@@ -22,9 +22,7 @@ struct stochastic_layers_part {
     static constexpr void shape_packed(resource& own, const shape_of& effect) {
         const int count = effect.own.numbers[0];
         own.layers = static_cast<unsigned>((count + 3) / 4) * effect.views;
-        own.texels = count == 1   ? format::r32_float
-                     : count == 2 ? format::rg32_float
-                                  : format::rgba32_float;
+        own.texels = count == 1 ? format::r32_float : count == 2 ? format::rg32_float : format::rgba32_float;
     }
     static constexpr resource packed[] = {{.name = "packed_layers",
                                            .life = lifetime::transient,

@@ -20,8 +20,7 @@ struct hbao {
     using needs = traits<ordered_taps, depth_layers>;
     static constexpr setting reads[] = {
         {"bias", 0.2f, 0, 1.5f, "angle added to the tangent's, radians"},
-        {"threshold", 0, -1, 1,
-         "least cosine between the normal and a tap that counts"},
+        {"threshold", 0, -1, 1, "least cosine between the normal and a tap that counts"},
         strength_setting(1.15f),
         exponent_setting(1),
     };

@@ -19,8 +19,7 @@ struct mean_height_part {
     static constexpr setting reads[] = {
         {"bias", 0, 0, 1, "height, in radii, up to which a mean occludes nothing"},
         {"threshold", 0.25f, 0.01f, 16, "height of the box, in radii"},
-        {"falloff", 0.3f, 0, 16,
-         "over how many radii beyond the box the occlusion falls to nothing"},
+        {"falloff", 0.3f, 0, 16, "over how many radii beyond the box the occlusion falls to nothing"},
         strength_setting(0.9f),
         exponent_setting(1),
     };

@@ -19,8 +19,7 @@ inline constexpr glsl_file ssao_glsl{
 struct ssao {
     using needs = traits<point_taps, depth_layers>;
     static constexpr setting reads[] = {
-        {"bias", 0.01f, 0, 1,
-         "height over the tangent plane, in radii, below which a point is left out"},
+        {"bias", 0.01f, 0, 1, "height over the tangent plane, in radii, below which a point is left out"},
         strength_setting(0.75f),
         exponent_setting(2),
     };

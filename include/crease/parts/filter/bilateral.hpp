@@ -13,8 +13,7 @@ inline constexpr glsl_file bilateral_glsl{
 struct bilateral_part {
     static constexpr number takes[] = {{"radius", 1, 16, 3, "texels to either side"}};
     static constexpr setting reads[] = {
-        {"sharpness", 32, 0, 1000,
-         "how fast a weight falls with the difference in depth, per radius"},
+        {"sharpness", 32, 0, 1000, "how fast a weight falls with the difference in depth, per radius"},
     };
     static constexpr step_constant across[] = {{"axis", 0}};
     static constexpr step_constant down[] = {{"axis", 1}};

@@ -25,7 +25,7 @@ inline constexpr glsl_file bent_cone_glsl{
 #include <crease/output/bent_cone.glsl>
 };
 
-/// Taps that tell the estimator in which direction they look.
+/// Taps along directions that the estimator is told.
 CREASE_TRAIT(known_directions, sampler,
              "the output needs taps along known directions, which the sampler does not propose");
 
@@ -35,18 +35,17 @@ CREASE_TRAIT(open_directions, estimator,
 
 /// The bent normal in view space, unit, and the half angle of the bent cone in radians; 0, 0, 1, pi / 2 where
 /// there is background.
-inline constexpr resource bent_cone_image{.name = "bent_cone",
-                                          .texels = format::rgba16_float,
-                                          .life = lifetime::output,
-                                          .read = access::load};
+inline constexpr resource bent_cone_image{
+    .name = "bent_cone", .texels = format::rgba16_float, .life = lifetime::output, .read = access::load};
 
 /// Output: visibility, and the image `bent_cone` of the mean open direction and the cone around it.
 struct bent_cone {
     using needs = traits<known_directions, open_directions>;
     static constexpr const glsl_file* files[] = {&encoding_visibility_glsl, &encoding_octahedron_glsl,
-                                                 &encoding_bent_cone_glsl, &encoding_visibility_depth_cone_glsl,
-                                                 &bent_cone_glsl};
-    static constexpr resource images[] = {between_image(format::rg32_uint), visibility_image, bent_cone_image};
+                                                 &encoding_bent_cone_glsl,
+                                                 &encoding_visibility_depth_cone_glsl, &bent_cone_glsl};
+    static constexpr resource images[] = {between_image(format::rg32_uint), visibility_image,
+                                          bent_cone_image};
     static constexpr part description{
         .kind = role::output,
         .name = "bent_cone",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/compose/part.hpp>
+#include <crease/parts/output_format/formats.hpp>
 
 namespace crease {
 
@@ -22,7 +22,8 @@ inline constexpr glsl_file encoding_visibility_depth_glsl{
 inline constexpr resource visibility_image{.name = "visibility",
                                            .texels = format::r8_unorm,
                                            .life = lifetime::output,
-                                           .read = access::load};
+                                           .read = access::load,
+                                           .shape = shape_visibility};
 
 /// What a pass hands on to a filter, in texels of a format.
 constexpr resource between_image(format texels) {

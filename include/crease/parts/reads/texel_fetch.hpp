@@ -5,7 +5,8 @@
 
 namespace crease {
 
-/// Image reads: passes read what passes write by `texelFetch` of a sampled image, as GPUs like it. The default.
+/// Image reads: passes read what passes write by `texelFetch` of a sampled image, which suits GPUs. The
+/// default.
 struct texel_fetch {
     static constexpr part description{
         .kind = role::image_reads,

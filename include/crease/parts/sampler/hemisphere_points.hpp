@@ -13,7 +13,8 @@ inline constexpr glsl_file hemisphere_points_glsl{
 
 struct hemisphere_points_part {
     static constexpr number takes[] = {{"count", 1, 256, 16, "points in the hemisphere"}};
-    static constexpr const glsl_file* files[] = {&point_tap_glsl, &texel_ray_glsl, &radius_inside_glsl, &hemisphere_points_glsl};
+    static constexpr const glsl_file* files[] = {&point_tap_glsl, &texel_ray_glsl, &radius_inside_glsl,
+                                                 &hemisphere_points_glsl};
     static constexpr part description{
         .kind = role::sampler,
         .name = "hemisphere_points",

@@ -12,7 +12,8 @@ inline constexpr glsl_file sphere_points_glsl{
 
 struct sphere_points_part {
     static constexpr number takes[] = {{"count", 1, 256, 16, "points in the sphere"}};
-    static constexpr const glsl_file* files[] = {&point_tap_glsl, &texel_ray_glsl, &radius_inside_glsl, &sphere_points_glsl};
+    static constexpr const glsl_file* files[] = {&point_tap_glsl, &texel_ray_glsl, &radius_inside_glsl,
+                                                 &sphere_points_glsl};
     static constexpr part description{
         .kind = role::sampler,
         .name = "sphere_points",

@@ -21,11 +21,11 @@ CREASE_TRAIT(point_taps, sampler,
 CREASE_TRAIT(line_taps, sampler,
              "the estimator needs taps along lines through a volume, which the sampler does not propose");
 
-/// Taps that take in each texel of a window around the receiver's.
+/// Taps that together cover each texel of a window around the receiver's.
 CREASE_TRAIT(window_taps, sampler,
              "the estimator needs taps at each texel of a window, which the sampler does not propose");
 
-/// Taps that take in an area of the picture.
+/// Taps each of which covers an area of the picture.
 CREASE_TRAIT(area_taps, sampler,
              "the depth source holds means over areas, and the sampler proposes single texels");
 

@@ -27,8 +27,8 @@ struct compute_columns_part {
     };
 };
 
-/// Stage: compute shaders with workgroups of `Width` x `Height`, of which `Across` side by side run down the picture
-/// together, so that they find in a processor's cache what they share.
+/// Stage: compute shaders with workgroups of `Width` x `Height`, of which `Across` side by side run down the
+/// picture together, so that they find in a processor's cache what they share.
 template <int Width = 16, int Height = 16, int Across = 16>
 struct compute_columns : compute_columns_part {
     static constexpr int numbers[] = {Width, Height, Across};

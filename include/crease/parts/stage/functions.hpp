@@ -20,7 +20,8 @@ struct functions_part {
     static constexpr part description{
         .kind = role::stage,
         .name = "functions",
-        .summary = "no main: float crease_visibility(ivec2 pixel) and what it needs, for a shader of the host",
+        .summary =
+            "no main: float crease_visibility(ivec2 pixel) and what it needs, for a shader of the host",
         .source = "",
         .files = files,
         .numbers = takes,

@@ -9,17 +9,17 @@ namespace crease {
 /// Runs as fragment shaders of a triangle that covers the output.
 CREASE_TRAIT(fragment_programs, stage, "the stage must be of fragment shaders, and it is not");
 
-/// Is no program, but functions for one of the host.
+/// Is not a program of its own, but functions for one of the host.
 CREASE_TRAIT(hosted_functions, stage, "the stage must be of functions, and it is not");
 
-/// What a part of the role makes of passes.
+/// What the main pass and filters run as with a stage.
 constexpr stage_kind stage_of(const part& p) {
     return has(p.offers, &fragment_programs::value)  ? stage_kind::fragment
            : has(p.offers, &hosted_functions::value) ? stage_kind::functions
                                                      : stage_kind::compute;
 }
 
-/// The words of OpenGL.
+/// Writes GLSL for OpenGL.
 CREASE_TRAIT(opengl_words, dialect, "the dialect must be that of OpenGL, and it is not");
 
 }

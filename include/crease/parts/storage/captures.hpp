@@ -5,15 +5,15 @@
 
 namespace crease {
 
-/// The numbers of every layer carrier: where its bindings and constants are among those of the host's
+/// The numbers of every layer storage: where its bindings and constants are among those of the host's
 /// geometry pass.
 inline constexpr number capture_places[] = {
-    {"set", 0, 31, 0, "descriptor set of the capture's bindings in the host's geometry pass"},
+    {"set", 0, 31, 0, "descriptor set of its bindings in the host's geometry pass"},
     {"first_binding", 0, 1023, 0, "binding of the block of parameters; the others follow"},
     {"first_constant", 0, 1023, 0, "constant_id of the first number; the others follow"},
 };
 
-/// Names of what the cameras beside the picture's capture.
+/// Names of the captured layers of the cameras beside the picture's.
 inline constexpr std::string_view further_captured_layers[] = {"captured_layers_1", "captured_layers_2",
                                                                "captured_layers_3"};
 inline constexpr std::string_view captured_layers_name[] = {"captured_layers"};

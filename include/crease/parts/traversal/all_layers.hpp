@@ -10,7 +10,7 @@ inline constexpr glsl_file all_layers_glsl{
 #include <crease/traversal/all_layers.glsl>
 };
 
-/// Looks at nothing but the layers of the depth source, whichever camera's they are.
+/// Reads the layers of the depth source alone, so it works for any camera.
 CREASE_TRAIT(any_view, layer_traversal,
              "the second view needs a layer traversal that looks at no depth image, as there is none of the "
              "second camera");

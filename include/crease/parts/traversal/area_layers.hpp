@@ -10,8 +10,8 @@ inline constexpr glsl_file area_layers_glsl{
 #include <crease/traversal/area_layers.glsl>
 };
 
-/// Layer traversal: the layers of an area, each of which counts by how many texels it holds. The default of depth
-/// sources of areas.
+/// Layer traversal: the layers of an area, each of which counts by how many texels it holds. The default of
+/// depth sources of areas.
 struct area_layers {
     using needs = traits<layers_of_areas>;
     static constexpr const glsl_file* files[] = {&area_layers_glsl};

@@ -10,7 +10,7 @@ inline constexpr glsl_file deferred_layers_glsl{
 #include <crease/traversal/deferred_layers.glsl>
 };
 
-/// Adds a layer that is found behind the front one after later taps: crease_add_behind.
+/// Can add a layer behind the front one of a tap after later taps were added: crease_add_behind.
 CREASE_TRAIT(layers_behind, estimator,
              "the layer traversal comes back to a tap after others, and the estimator cannot add to it then");
 
@@ -35,10 +35,10 @@ struct deferred_layers_part : front_part {
     };
 };
 
-/// Layer traversal: all front surfaces first, and then the layers behind the first `Looks` of each four taps in a
-/// row where they may matter; first is nearest to the receiver. Its cost does not depend on the picture. What
-/// lies behind a front surface counts from the horizon of the whole direction, so an estimator finds a little
-/// less than with `front_first`.
+/// Layer traversal: all front surfaces first, and then the layers behind the first `Looks` of each four taps
+/// in a row where they may add occlusion, nearest to the receiver first. Its cost does not depend on the
+/// picture. Hidden layers are compared with the direction's final horizon, so this underestimates slightly
+/// against `front_first`.
 template <int Angle = 1, int Looks = 1>
 struct deferred_layers : deferred_layers_part {
     static constexpr int numbers[] = {Angle, Looks};

@@ -18,12 +18,13 @@ inline constexpr glsl_file linearise_glsl{
 /// Depth encoding: the depth image is the depth buffer, in [0, 1], and a first pass stores the linear view
 /// depth of its texels, from which all others load: for effects with many taps.
 struct linearised_depth {
-    static constexpr resource images[] = {{.name = "depth", .texels = format::d32_float, .size = {.guarded = true}},
-                                          {.name = "linearised_depth",
-                                           .texels = format::r32_float,
-                                           .life = lifetime::transient,
-                                           .size = {.guarded = true},
-                                           .read = access::load}};
+    static constexpr resource images[] = {
+        {.name = "depth", .texels = format::d32_float, .size = {.guarded = true}},
+        {.name = "linearised_depth",
+         .texels = format::r32_float,
+         .life = lifetime::transient,
+         .size = {.guarded = true},
+         .read = access::load}};
     static constexpr const glsl_file* linearising[] = {&linearise_glsl};
     static constexpr std::string_view filled[] = {"linearised_depth"};
     static constexpr step passes[] = {

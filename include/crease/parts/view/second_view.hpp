@@ -11,7 +11,7 @@ inline constexpr glsl_file further_view_glsl{
 #include <crease/view/further_view.glsl>
 };
 
-/// Works from a position and a normal alone, whichever side the camera sees.
+/// Works from a position and a normal alone, also where the camera sees the back of the surface.
 CREASE_TRAIT(any_eye, estimator,
              "the second view needs an estimator that works from any eye, which this one does not");
 

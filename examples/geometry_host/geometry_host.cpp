@@ -34,19 +34,17 @@ pictures render(renderer& gpu) {
     occlusion with_layers(gpu, layered::view(), parameters_of<layered>(), depth);
     occlusion front(gpu, front_alone::view(), parameters_of<front_alone>(), depth);
 
-    constexpr const crease::capture& capture = layered::captures[0];
-    static_assert(!capture.to_attachment()); // so that it is drawn without attachments and depth test
+    constexpr const crease::pass& captures = layered::passes[0];
+    static_assert(captures.stage == crease::stage_kind::geometry && captures.name == "capture_layers");
+    static_assert(!captures.to_attachment()); // so that it is drawn without attachments and depth test
     const occlusion::bound bindings =
-        with_layers.bind(capture.bindings, VK_SHADER_STAGE_FRAGMENT_BIT, {&geometry_pass::camera, 1});
+        with_layers.bind(captures.bindings, VK_SHADER_STAGE_FRAGMENT_BIT, {&geometry_pass::camera, 1});
     geometry_pass seen(gpu, &depth, shaders::captures_nothing, bindings);
-    geometry_pass captured(gpu, nullptr, layered::capture_source<0>, bindings);
+    geometry_pass captured(gpu, nullptr, layered::source<0>(), bindings);
 
     gpu.run([&](VkCommandBuffer commands) {
         seen.record(commands, projection);
-        with_layers.clear(commands, capture);
-        with_layers.make_ready(commands, capture.bindings, VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT);
-        captured.record(commands, projection);
-        with_layers.record(commands);
+        with_layers.record(commands, [&](const crease::pass&) { captured.record(commands, projection); });
         front.record(commands);
     });
     return {gpu.download(with_layers.visibility()), gpu.download(front.visibility())};
@@ -78,10 +76,10 @@ int main(int count, char** arguments) {
         if (!plausible(made))
             throw std::runtime_error(
                 "the layers should darken the wall by 0.05 beside the screen and nowhere "
-                "else: see that the capture is cleared, drawn and waited for");
+                "else: see that the image of layers is cleared, drawn to and waited for");
         return 0;
     } catch (const std::exception& failure) {
-        std::cerr << "capture_host: " << failure.what() << '\n';
+        std::cerr << "geometry_host: " << failure.what() << '\n';
         return 1;
     }
 }

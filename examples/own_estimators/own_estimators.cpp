@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// Estimators of an engine's own, in two files each, beside the parts of crease.
+#include "gtao.hpp"
+#include "visibility_bitmask.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#ifdef OWN_ESTIMATORS_WITH_SPIRV
+#include <crease/spirv.hpp>
+#endif
+#ifdef OWN_ESTIMATORS_WITH_VULKAN
+#include "corner.hpp"
+
+#include <crease/vulkan.hpp>
+#endif
+
+namespace {
+
+using horizons = crease::effect<crease::directions<4, 4>, crease::single_layer, engine::gtao,
+                                crease::reconstructed_normals>;
+using bitmask = crease::effect<crease::directions<4, 4>, crease::single_layer, engine::visibility_bitmask,
+                               crease::reconstructed_normals>;
+using layered = crease::effect<crease::directions<4, 4>, crease::stochastic_layers<8>,
+                               engine::visibility_bitmask, crease::front_first<>, crease::bent_cone>;
+
+// A setting that no part of crease knows goes into the block of parameters like any other.
+static_assert(crease::get(bitmask::defaults, bitmask::settings, "thickness") == 0.4f);
+
+/// The thickness by its name, which the effect checks at compile time.
+crease::parameters of_thickness(float radii) {
+    crease::parameters values = bitmask::defaults;
+    if (!bitmask::set<"thickness">(values, radii))
+        throw std::runtime_error("a thickness that is out of its range");
+    return values;
+}
+
+/// By a name that is known at run time only.
+void expect_settings_by_name(const crease::effect_view& effect) {
+    crease::parameters values = effect.defaults;
+    if (!crease::set(values, effect.settings, "visibility_bitmask.thickness", 0.1f) ||
+        values != of_thickness(0.1f))
+        throw std::runtime_error("the thickness is not set by its name");
+    if (crease::set(values, effect.settings, "thickness", -1) || values != of_thickness(0.1f))
+        throw std::runtime_error("a thickness that is out of its range is set");
+}
+
+/// A recipe may name the parts that it is told of, and makes the same programs.
+void expect_same(const crease::effect_view& effect, std::string_view text) {
+    std::vector<const crease::part*> known(std::begin(crease::all_parts), std::end(crease::all_parts));
+    known.push_back(&engine::gtao::description);
+    known.push_back(&engine::visibility_bitmask::description);
+    const crease::recipe recipe(text, known);
+    if (!recipe)
+        throw std::runtime_error(std::string(recipe.error()));
+    const auto composed = std::make_unique<crease::composition>(recipe);
+    const auto same_text = [](const crease::pass& one, const crease::pass& other) {
+        return std::ranges::equal(one.pieces, other.pieces, {}, &crease::piece::text, &crease::piece::text);
+    };
+    if (!std::ranges::equal(effect.passes, composed->view().passes, same_text))
+        throw std::runtime_error("the recipe " + std::string(text) + " and the effect differ");
+}
+
+#ifdef OWN_ESTIMATORS_WITH_SPIRV
+/// An error names engine/gtao.glsl and the line in it.
+void compile(const crease::effect_view& effect) {
+    for (const crease::pass& pass : effect.passes) {
+        if (pass.stage == crease::stage_kind::geometry) // compiled with the shaders of the host that draws
+            continue;
+        const crease::spirv::words module = crease::spirv::compile(pass);
+        crease::spirv::validate(module);
+        std::cout << pass.name << ": " << module.size() << " words of valid SPIR-V\n";
+    }
+}
+#endif
+
+#ifdef OWN_ESTIMATORS_WITH_VULKAN
+// Vulkan's own clip space: y down, so row 0 is the highest; depth reversed, the far plane at infinity.
+constexpr picture::matrix projection = {1, 0, 0, 0, 0, -16.f / 9, 0, 0, 0, 0, 0, -1, 0, 0, 0.1f, 0};
+
+std::vector<std::uint8_t> render(crease::vulkan::device& device, const crease::effect_view& effect,
+                                 crease::parameters values) {
+    constexpr crease::clip_space clip{.depth_zero_to_one = true};
+    crease::set_projection(values.view, projection, picture::width, picture::height, clip);
+    values.radius = corner::radius;
+    crease::vulkan::runner runner(device, effect, picture::width, picture::height);
+    runner.upload("depth", corner::device_depth(projection, clip));
+    runner.run(values);
+    std::vector<std::uint8_t> visibility;
+    for (float share : runner.download("visibility"))
+        visibility.push_back(static_cast<std::uint8_t>(255 * share + 0.5f));
+    return visibility;
+}
+
+float mean(const std::vector<std::uint8_t>& visibility) {
+    double sum = 0;
+    for (std::uint8_t each : visibility)
+        sum += each;
+    return static_cast<float>(sum / (255 * static_cast<double>(visibility.size())));
+}
+
+bool plausible(crease::vulkan::device& device) {
+    bool all = true;
+    for (const crease::effect_view& effect : {horizons::view(), bitmask::view()})
+        all &= corner::plausible(render(device, effect, effect.defaults), projection);
+    const float thin = mean(render(device, bitmask::view(), of_thickness(0))),
+                thick = mean(render(device, bitmask::view(), of_thickness(2)));
+    std::cout << "mean visibility with layers of no thickness " << thin << ", of two radii " << thick << '\n';
+    return all && thin > thick;
+}
+#endif
+
+}
+
+int main() {
+    try {
+        expect_same(horizons::view(), "directions:4x4/single_layer/gtao/reconstructed_normals");
+        expect_same(bitmask::view(), "directions:4x4/single_layer/visibility_bitmask/reconstructed_normals");
+        expect_same(layered::view(),
+                    "directions:4x4/stochastic_layers:8/visibility_bitmask/front_first/bent_cone");
+        expect_settings_by_name(bitmask::view());
+#ifdef OWN_ESTIMATORS_WITH_SPIRV
+        for (const crease::effect_view& effect : {horizons::view(), bitmask::view(), layered::view()})
+            compile(effect);
+#endif
+#ifdef OWN_ESTIMATORS_WITH_VULKAN
+        crease::vulkan::device device;
+        return plausible(device) ? 0 : 1;
+#endif
+    } catch (const std::exception& failure) {
+        std::cerr << "own_estimators: " << failure.what() << '\n';
+        return 1;
+    }
+}

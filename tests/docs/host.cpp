@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// The C++ of docs/host.md does what the runner does.
+#include "step.hpp"
+
+#include <crease/crease.hpp>
+#include <crease/second_camera.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "host.inc"
+
+namespace {
+
+using single =
+    crease::effect<crease::directions<4, 4>, crease::single_layer, crease::hbao, crease::bilateral<>>;
+using layered = crease::effect<crease::directions<4, 4>, crease::stochastic_layers<8>, crease::hbao_plus,
+                               crease::atomic_minimum<>, crease::second_view<>, crease::bent_cone>;
+using tables = crease::effect<crease::sample_box, crease::summed_area<>, crease::mean_height<>>;
+using drawn = crease::effect<crease::directions<4, 4>, crease::stochastic_layers<4>, crease::hbao,
+                             crease::fragment, crease::image_load, crease::bilateral<>>;
+
+template <class Number>
+Number number_at(const std::vector<std::byte>& bytes, std::size_t offset) {
+    Number number;
+    std::memcpy(&number, bytes.data() + offset, sizeof number);
+    return number;
+}
+
+std::vector<float> device_depth() {
+    std::vector<float> all;
+    for (unsigned i = 0; i < step::width * step::height; ++i)
+        all.push_back(0.1f / (i % step::width < step::width / 2 ? step::near_wall : step::far_wall));
+    return all;
+}
+
+}
+
+TEST_CASE("the block has each number where the page says") {
+    const crease::effect_view effect = layered::view();
+    constexpr std::size_t cameras = 2, rest = 48 * cameras + 64 * (cameras - 1);
+    REQUIRE(effect.views == cameras);
+    crease::parameters p = step::parameters_for(effect, false);
+    p.frame = 9;
+    p.further_views[0].view.far_depth = 77;
+    p.further_views[0].from_first[12] = 5;
+    const std::vector<std::byte> bytes = host_page::bytes_of_block(effect, p);
+    CHECK(number_at<float>(bytes, 0) == p.view.from_texel[0]);
+    CHECK(number_at<float>(bytes, 16) == p.view.depth_unpack[0]);
+    CHECK(number_at<float>(bytes, 24) == p.view.far_depth);
+    CHECK(number_at<float>(bytes, 28) == p.view.guard);
+    CHECK(number_at<float>(bytes, 32) == step::width);
+    CHECK(number_at<float>(bytes, 40) == p.view.texel_size[0]);
+    CHECK(number_at<float>(bytes, 48 + 24) == 77);
+    CHECK(number_at<float>(bytes, 48 * cameras + 4 * 12) == 5);
+    CHECK(number_at<float>(bytes, rest) == step::radius);
+    CHECK(number_at<std::uint32_t>(bytes, rest + 4) == 9);
+    for (std::size_t i = 0; i < effect.settings.size(); ++i)
+        CHECK(number_at<float>(bytes, rest + 8 + 4 * i) ==
+              (effect.settings[i].name == "strength" ? 1.2f : effect.settings[i].fallback));
+    CHECK(bytes.size() % 16 == 0);
+    CHECK(bytes.size() - (rest + 8 + 4 * effect.settings.size()) < 16);
+}
+
+TEST_CASE("a left-handed projection gives the view of the right-handed one") {
+    // Direct3D's, from 0.5 to 50, and the same for a camera that looks down -Z.
+    constexpr float left[16] = {1, 0, 0, 0, 0, 2, 0, 0, 0, 0, 50 / 49.5f, 1, 0, 0, -25 / 49.5f, 0};
+    constexpr float right[16] = {1, 0, 0, 0, 0, 2, 0, 0, 0, 0, -50 / 49.5f, -1, 0, 0, -25 / 49.5f, 0};
+    const crease::parameters seen = host_page::look_through(single::view(), left, 64, 32);
+    crease::view_parameters expected;
+    REQUIRE(crease::set_projection(expected, right, 64, 32, {.depth_zero_to_one = true, .y_up = true}));
+    CHECK(seen.view == expected);
+    CHECK(std::abs(seen.view.far_depth - 50 * 0.999f) < 1e-3f);
+    CHECK(std::abs(1 / (0.5f * seen.view.depth_unpack[0] + seen.view.depth_unpack[1]) - 1 / (1.01f)) < 0.02f);
+    crease::view_parameters untouched;
+    CHECK(!crease::set_projection(untouched, left, 64, 32)); // as the page says: refused
+    CHECK(untouched == crease::view_parameters{});
+}
+
+TEST_CASE("a guard band leaves the picture's rays as they are") {
+    const host_page::guarded_camera both = host_page::with_guard_band(step::perspective, 48, 32, 8);
+    CHECK(both.view.guard == 8);
+    CHECK(both.view.resolution[0] == 48);
+    CHECK(both.view.texel_size[0] == 1 / 64.0f);
+    crease::view_parameters larger;
+    REQUIRE(crease::set_projection(larger, both.drawn, 64, 48));
+    // Texel 0 of the picture is texel 8 of what is drawn.
+    CHECK(std::abs(both.view.from_texel[2] - (8 * larger.from_texel[0] + larger.from_texel[2])) < 1e-6f);
+    CHECK(std::abs(both.view.from_texel[3] - (8 * larger.from_texel[1] + larger.from_texel[3])) < 1e-6f);
+}
+
+TEST_CASE("a second camera has its own resolution and place") {
+    const crease::parameters p =
+        host_page::with_second_camera(layered::defaults, step::perspective, step::width, step::height + 1);
+    CHECK(p.further_views[0].view.resolution[0] == step::width / 2);
+    CHECK(p.further_views[0].view.resolution[1] == step::height / 2 + 1);
+    CHECK(p.further_views[0].from_first[15] == 1);
+    CHECK(p.further_views[0].from_first[12] != 0);
+    for (const crease::pass& each : layered::passes)
+        if (each.stage == crease::stage_kind::geometry && each.view == 1)
+            CHECK(each.size.width_of(step::width) == step::width / 2);
+}
+
+TEST_CASE("descriptors, layouts and uses of images are the runner's") {
+    using namespace crease::vulkan;
+    for (const crease::effect_view& effect :
+         {single::view(), layered::view(), tables::view(), drawn::view()}) {
+        for (const crease::pass& each : effect.passes)
+            for (const crease::binding& b : each.bindings) {
+                CAPTURE(std::string(b.name));
+                if (!crease::has_descriptor(b.how))
+                    continue;
+                CHECK(host_page::descriptor_type(effect, b) ==
+                      detail::descriptor_of(b.how, effect.resources[b.resource].kind));
+                if (b.how != crease::access::uniform)
+                    CHECK(host_page::image_layout(b.how) == detail::shader_use_of(b.how, 0).layout);
+            }
+        for (unsigned i = 1; i < effect.resources.size(); ++i)
+            CHECK(host_page::usage_of(effect, i) != 0);
+    }
+}
+
+TEST_CASE("workgroups cover each texel, row and column") {
+    bool has_rows = false, has_columns = false;
+    for (const crease::effect_view& effect : {single::view(), layered::view(), tables::view()})
+        for (const crease::pass& each : effect.passes) {
+            if (each.stage != crease::stage_kind::compute)
+                continue;
+            CAPTURE(std::string(each.name));
+            constexpr unsigned width = 333, height = 77, guard = 5;
+            const host_page::groups all = host_page::workgroups_of(each, width, height, guard);
+            const unsigned across = all.across * each.group_width(), down = all.down * each.group_height();
+            const unsigned has_across = each.size.width_of(width, guard),
+                           has_down = each.size.height_of(height, guard);
+            if (each.covers == crease::dispatch::rows)
+                CHECK(all.across == 1);
+            else
+                CHECK((across >= has_across && across - has_across < each.group_width()));
+            if (each.covers == crease::dispatch::columns)
+                CHECK(all.down == 1);
+            else
+                CHECK((down >= has_down && down - has_down < each.group_height()));
+            has_rows = has_rows || each.covers == crease::dispatch::rows;
+            has_columns = has_columns || each.covers == crease::dispatch::columns;
+        }
+    CHECK(has_rows);
+    CHECK(has_columns);
+}
+
+TEST_CASE("a specialized constant is the one that is named") {
+    const crease::pass& main = single::passes[0];
+    const host_page::specialization all = host_page::specialize(main, "directions", "steps", 11);
+    REQUIRE(all.values.size() == main.constants.size());
+    for (std::size_t i = 0; i < main.constants.size(); ++i) {
+        const crease::constant& c = main.constants[i];
+        CHECK(all.entries[i].constantID == c.id);
+        CHECK(all.values[i] == (c.part == "directions" && c.number == "steps" ? 11 : c.value));
+    }
+    CHECK(all.info().dataSize == 4 * main.constants.size());
+}
+
+TEST_CASE("a host's fragment shader around a geometry pass compiles") {
+    for (const crease::pass& each : layered::passes)
+        if (each.stage == crease::stage_kind::geometry) {
+            const std::string text = host_page::fragment_shader_of(each, step::fragment[0].text);
+            const crease::piece whole[] = {{"whole", text}};
+            CHECK_NOTHROW(crease::spirv::compile(whole, crease::spirv::shader_stage::fragment));
+        }
+}
+
+TEST_CASE("the runner finds the step, and what it hides darkens no less") {
+    const std::vector<float> depth = device_depth();
+    const auto beside = [](const std::vector<float>& visibility) {
+        float sum = 0;
+        for (unsigned row = 0; row < step::height; ++row)
+            sum += visibility.at(row * step::width + step::width / 2) / step::height;
+        return sum;
+    };
+    const float front =
+        beside(host_page::visibility_of(step::device(), depth, step::perspective, step::width, step::height));
+    CHECK(front < 0.95f);
+    const crease::vulkan::mesh walls(step::device(), step::triangles());
+    const crease::vulkan::geometry_shaders shaders{.vertex = step::vertex,
+                                                   .fragment = step::fragment,
+                                                   .push_constant_bytes = sizeof step::perspective,
+                                                   .reversed_depth = true};
+    const float layers = beside(host_page::visibility_with_layers(
+        step::device(), depth, walls, shaders, step::perspective, step::width, step::height));
+    CHECK(layers < 0.95f);
+    CHECK_NOTHROW(step::device().check_messages());
+}

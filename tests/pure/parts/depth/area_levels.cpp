@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include <crease/crease.hpp>
+
+#include "text.hpp"
+
+#include <doctest/doctest.h>
+
+namespace {
+
+using namespace crease;
+
+using three = effect<sample_box, n_buffer<3>, mean_height<>>;
+static_assert(recipe("sample_box/n_buffer:10x4/mean_height"));
+static_assert(!recipe("sample_box/n_buffer:11/mean_height"));
+static_assert(!recipe("sample_box/mip_chain:0/mean_height"));
+
+}
+
+TEST_CASE("each level of a pyramid is a pass of its own, and those above the last are not there") {
+    constexpr std::string_view names[] = {"range_of_columns", "range_of_picture", "level_0",
+                                          "level_1",          "level_2",          "visibility"};
+    REQUIRE(three::passes.size() == std::size(names));
+    for (std::size_t i = 0; i < std::size(names); ++i)
+        CHECK(three::passes[i].name == names[i]);
+    CHECK(contains(three::source<4>(), "const int crease_areas_level = 2;"));
+    CHECK(three::passes[4].group_width() == areas::wide);
+    CHECK(three::passes[4].group_height() == areas::flat);
+}
