@@ -1,4 +1,4 @@
-// crease::effect: the second view needs a fold that looks at no depth image, as there is none of the second camera
+// crease::effect: the second view needs a layer traversal that looks at no depth image, as there is none of the second camera
 // (second_view, front_first)
 // directions/stochastic_layers/hbao_plus/second_view/front_first
 // SPDX-License-Identifier: MIT

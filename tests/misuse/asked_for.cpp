@@ -1,4 +1,4 @@
-// crease::effect: a part is of use only beside a depth source that asks for one of its role, and this one asks for none
+// crease::effect: a part is of use only beside a part that requires its role, and none does
 // (stratified, single_layer)
 // directions/single_layer/hbao/stratified
 // SPDX-License-Identifier: MIT

@@ -7,7 +7,7 @@
 // A filter that reads pixels of the picture, like a temporal one.
 struct history {
     static constexpr crease::step passes[] = {
-        {.name = "history", .body = &crease::bilateral_glsl, .full_size_input = true}};
+        {.name = "history", .files = crease::bilateral_part::files, .full_size_input = true}};
     static constexpr crease::part description{
         .kind = crease::role::filter, .name = "history", .summary = "", .source = "", .steps = passes};
 };

@@ -11,7 +11,7 @@ struct bare {
                                               .name = "bare",
                                               .summary = "",
                                               .source = "",
-                                              .glsl = &crease::hbao_plus_glsl,
+                                              .files = crease::hbao_plus::files,
                                               .needs = needs::list};
 };
 

@@ -46,7 +46,8 @@ inline std::vector<std::string> one_by_one(const std::vector<std::string>& texts
 
 /// The recipes of legal compositions of the parts of crease, the numbers left at their defaults. Every
 /// sampler, depth source and estimator meets every view, stage and dialect; what may be added to these three
-/// meets all filters, and then the views, stages and dialects one by one, as roles call each other in pairs.
+/// meets all filters, and then the views, reads, stages and dialects one by one, as roles call each other in
+/// pairs.
 inline std::vector<std::string> every_recipe() {
     using enum crease::role;
     const auto legal = [](std::vector<std::string> texts) {
@@ -63,14 +64,17 @@ inline std::vector<std::string> every_recipe() {
     std::vector<std::string> all = three;
     for (crease::role each : {projection, depth_encoding, normals, stage, dialect})
         all = times(all, names_of(each));
-    std::vector<std::string> more = legal(times(three, optional(fold)));
-    more = legal(times(more, optional(second_view)));
+    std::vector<std::string> more = legal(times(three, optional(layer_traversal)));
+    more = legal(times(more, optional(further_views)));
     more = times(legal(times(more, names_of(output))), filter_chains());
-    const std::vector<std::string> captures = times(
-        legal(times(times(three, names_of(layer_carrier)), names_of(layer_sampling))), names_of(projection));
+    const std::vector<std::string> captures =
+        times(legal(times(times(three, names_of(layer_storage)), names_of(coverage))), names_of(projection));
     const std::vector<std::string> scans = times(legal(times(three, names_of(scan))), names_of(stage));
-    for (const auto& each : {one_by_one(more, {projection, depth_encoding, normals, noise, stage, dialect}),
-                             times(captures, names_of(dialect)), times(scans, names_of(dialect))})
+    const std::vector<std::string> reads = times(legal(times(times(three, names_of(image_reads)), names_of(depth_encoding))),
+                                                 optional(filter));
+    for (const auto& each :
+         {one_by_one(more, {projection, depth_encoding, normals, noise, receivers, image_reads, stage, dialect}),
+          times(captures, names_of(dialect)), times(scans, names_of(dialect)), times(reads, names_of(dialect))})
         all.insert(all.end(), each.begin(), each.end());
     return legal(std::move(all));
 }

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/pass.hpp>
+#include <crease/effect/pass.hpp>
 
 #include <cstddef>
-#include <span>
 #include <string>
 #include <string_view>
 
 /// The program that a driver sees.
-inline std::string joined(std::span<const crease::piece> pieces) {
+inline std::string joined(crease::array_view<const crease::piece> pieces) {
     std::string all;
     for (const crease::piece& each : pieces)
         all += each.text;
@@ -20,10 +19,26 @@ constexpr bool contains(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
 }
 
-/// The piece's text, empty where the pass has none of that name.
-inline std::string_view piece_of(const crease::pass& pass, std::string_view name) {
+/// The text after its first line, which names the recipe.
+constexpr std::string_view without_recipe(std::string_view text) {
+    return text.substr(text.find('\n') + 1);
+}
+
+/// Whether the text is one line of comment and then `version`.
+constexpr bool has_version(std::string_view text, std::string_view version) {
+    return text.starts_with("// ") && without_recipe(text).starts_with(version);
+}
+
+/// What the program of a pass has of a file, empty where that is nothing.
+inline std::string part_of(const crease::pass& pass, std::string_view name) {
+    std::string all;
     for (const crease::piece& each : pass.pieces)
         if (each.name == name)
-            return each.text;
-    return {};
+            all += each.text;
+    return all;
+}
+
+/// Whether the program of a pass has a definition of a file.
+inline bool has_part_of(const crease::pass& pass, std::string_view name) {
+    return !part_of(pass, name).empty();
 }

@@ -2,6 +2,7 @@
 #include <crease/spirv.hpp>
 
 #include "little_effect.hpp"
+#include "sentence.hpp"
 
 #include <doctest/doctest.h>
 
@@ -31,17 +32,20 @@ sentences with_binding(std::size_t which, const binding& other) {
 namespace every {
 
 constexpr resource resources[] = {
-    {.name = "parameters"},
+    {.name = "parameters", .kind = resource_kind::block},
     {.name = "tables", .texels = format::rgba32_float, .layers = 2, .arrayed = true},
     {.name = "keys", .texels = format::r32_uint, .read = access::load},
     {.name = "samples", .texels = format::d32_float, .samples = 4},
     {.name = "counts", .texels = format::r32_uint, .layers = 3, .arrayed = true},
     {.name = "visibility", .texels = format::r8_unorm, .life = lifetime::output},
+    {.name = "nodes", .kind = resource_kind::buffer, .element = "uvec2", .life = lifetime::transient},
+    {.name = "counters", .kind = resource_kind::buffer, .element = "uint", .life = lifetime::report},
 };
 constexpr binding bindings[] = {
     {"parameters", 0, access::uniform, 0, 0}, {"tables", 1, access::sample, 0, 1},
     {"keys", 2, access::load, 0, 2},          {"samples", 3, access::sample, 0, 3},
     {"counts", 4, access::modify, 0, 4},      {"output", 5, access::store, 1, 5},
+    {"nodes", 6, access::load, 0, 7},         {"counters", 7, access::modify, 0, 8},
 };
 constexpr constant constants[] = {
     {"compute", "width", 0, 8}, {"compute", "height", 1, 4}, {"every", "most", 2, 5}};
@@ -53,10 +57,16 @@ layout(set = 0, binding = 2, r32ui) readonly uniform uimage2D crease_keys;
 layout(set = 0, binding = 3) uniform sampler2DMS crease_samples;
 layout(set = 0, binding = 4, r32ui) uniform uimage2DArray crease_counts;
 layout(set = 1, binding = 5, r8) writeonly uniform image2D crease_output;
+layout(std430, set = 0, binding = 7) readonly buffer crease_nodes_buffer { uvec2 crease_nodes[]; };
+layout(std430, set = 0, binding = 8) buffer crease_counters_buffer { uint crease_counters[]; };
 void main() {}
 )";
-constexpr effect_view effect{
-    .captures = {}, .passes = {}, .resources = resources, .features = {}, .defaults = {}};
+constexpr effect_view effect{.passes = {},
+                             .resources = resources,
+                             .settings = little::settings,
+                             .views = 2,
+                             .features = {},
+                             .defaults = {}};
 constexpr pass declared{.name = "every",
                         .pieces = {},
                         .vertex_pieces = {},
@@ -286,34 +296,81 @@ TEST_CASE("a compute pass without the constants of its workgroup") {
         "pass 'every': a compute pass declares its workgroup's width and height as its first two constants");
 }
 
-TEST_CASE("a block that is not crease::parameters") {
+TEST_CASE("a block that is not that of the effect's settings") {
     CHECK(
-        every::with("float crease_bias;\n    float crease_threshold;",
-                    "float crease_threshold;\n    float crease_bias;") ==
-        sentences{"pass 'every': the offset of crease_bias is declared as 164, but the SPIR-V has 168",
-                  "pass 'every': the offset of crease_threshold is declared as 168, but the SPIR-V has 164"});
-    CHECK(every::with("float crease_falloff;", "float crease_new;") ==
-          sentences{"pass 'every': the block of parameters in the SPIR-V lacks crease_falloff",
-                    "pass 'every': crease::parameters lacks crease_new, which is in the SPIR-V"});
+        every::with("float spread_bias;\n    float spread_slope;", "float spread_slope;\n    float spread_bias;") ==
+        sentences{"pass 'every': the offset of spread_bias is declared as 168, but the SPIR-V has 172",
+                  "pass 'every': the offset of spread_slope is declared as 172, but the SPIR-V has 168"});
+    CHECK(every::with("float strength;", "float scale_strength;") ==
+          sentences{"pass 'every': the block of parameters in the SPIR-V lacks strength",
+                    "pass 'every': the effect's parameters lack scale_strength, which is in the SPIR-V"});
     CHECK(
-        every::with("float crease_falloff;", "float crease_falloff[2];") ==
-        sentences{"pass 'every': the offset of crease_falloff is declared as 196, but the SPIR-V has 208",
-                  "pass 'every': the size of the block of parameters is declared as 208, but the SPIR-V has "
-                  "240"});
+        every::with("float strength;", "float strength[2];") ==
+        sentences{"pass 'every': the size of the block of parameters is declared as 192, but the SPIR-V has "
+                  "208"});
+    CHECK(every::with("uint frame;", "uint frame[2];") ==
+          sentences{"pass 'every': the offset of frame is declared as 164, but the SPIR-V has 176",
+                    "pass 'every': the offset of spread_bias is declared as 168, but the SPIR-V has 208",
+                    "pass 'every': the offset of spread_slope is declared as 172, but the SPIR-V has 212",
+                    "pass 'every': the offset of strength is declared as 176, but the SPIR-V has 216",
+                    "pass 'every': the size of the block of parameters is declared as 192, but the SPIR-V has "
+                    "224"});
 }
 
-TEST_CASE("a capture is compared by its bindings and constants, whatever the host's stage") {
-    capture declared{.name = "layers",
-                     .pieces = {},
-                     .bindings = little::scale_bindings,
-                     .constants = little::scale_constants,
-                     .size = {}};
+TEST_CASE("a block of other cameras than the effect has") {
+    const sentences found = every::with("views[2];\n    mat4 from_first[1];", "views[1];");
+    REQUIRE(found.size() > 2);
+    CHECK(found[0] == "pass 'every': the block of parameters in the SPIR-V lacks from_first");
+    CHECK(found[1] == "pass 'every': the offset of radius is declared as 160, but the SPIR-V has 48");
+    effect_view one = every::effect;
+    one.views = 1;
+    const piece pieces[] = {little::version, {"every.glsl", every::text}};
+    const piece block_of_two[] = {little::version, little::block, {"every.glsl", every::text}};
+    const auto reflected = [](std::span<const piece> text) {
+        return spirv::reflect(spirv::compile(text, spirv::shader_stage::compute));
+    };
+    CHECK(spirv::mismatches(one, every::declared, reflected(pieces)) ==
+          sentences{"pass 'every': the SPIR-V has nothing at set 0 binding 0, where crease_parameters is declared"});
+    const sentences two = spirv::mismatches(one, every::declared, reflected(block_of_two));
+    REQUIRE(!two.empty());
+    CHECK(two[0] == "pass 'every': the offset of radius is declared as 48, but the SPIR-V has 160");
+    CHECK(std::ranges::find(two, "pass 'every': the effect's parameters lack from_first, which is in the SPIR-V") !=
+          two.end());
+}
+
+TEST_CASE("another access to a storage buffer, another kind in its place, or another name") {
+    CHECK(every::with("readonly buffer", "buffer") ==
+          sentences{"pass 'every': crease_nodes is declared as loaded, but the SPIR-V may store to it"});
+    CHECK(every::with(") buffer crease_counters", ") readonly buffer crease_counters") ==
+          sentences{"pass 'every': crease_counters is declared as stored to, but the SPIR-V only reads it"});
+    CHECK(every::with("crease_nodes_buffer", "crease_nodes_of_a_list") ==
+          sentences{"pass 'every': set 0 binding 7 is declared as crease_nodes_buffer, but the SPIR-V has "
+                    "crease_nodes_of_a_list"});
+    CHECK(every::with("layout(std430, set = 0, binding = 8) buffer crease_counters_buffer { uint "
+                      "crease_counters[]; };",
+                      "layout(set = 0, binding = 8, r32ui) uniform uimage2D crease_counters_buffer;") ==
+          sentences{"pass 'every': crease_counters is declared as a storage block, but the SPIR-V has a storage "
+                    "image"});
+    CHECK(every::with("layout(std430, set = 0, binding = 8) buffer crease_counters_buffer { uint "
+                      "crease_counters[]; };",
+                      "") == sentences{"pass 'every': the SPIR-V has nothing at set 0 binding 8, where "
+                                       "crease_counters is declared"});
+}
+
+TEST_CASE("a geometry pass is compared by its bindings and constants, whatever the host's stage") {
+    pass declared{.name = "layers",
+                  .stage = stage_kind::geometry,
+                  .pieces = {},
+                  .vertex_pieces = {},
+                  .bindings = little::scale_bindings,
+                  .constants = little::scale_constants,
+                  .size = {}};
     const spirv::reflection found = spirv::reflect(spirv::compile(little::scale));
     CHECK(spirv::mismatches(little::effect, declared, found).empty());
     declared.bindings = array_view<const binding>(little::scale_bindings, 2);
     declared.constants = array_view<const constant>(little::scale_constants, 2);
     CHECK(spirv::mismatches(little::effect, declared, found) ==
           sentences{
-              "capture 'layers': the SPIR-V has crease_output at set 0 binding 2, where nothing is declared",
-              "capture 'layers': the SPIR-V has constant_id 2 (crease_scale_gain), which is not declared"});
+              "pass 'layers': the SPIR-V has crease_output at set 0 binding 2, where nothing is declared",
+              "pass 'layers': the SPIR-V has constant_id 2 (crease_scale_gain), which is not declared"});
 }

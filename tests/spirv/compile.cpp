@@ -15,16 +15,14 @@ TEST_CASE("each stage of an effect compiles") {
 }
 
 TEST_CASE("an error names the pass, the file and the line in that file") {
-    // The fence is lines 1 to 3 of the file, and main stands in line 4.
-    const piece pieces[] = {little::version,
-                            {"estimator/wrong.glsl", LITTLE_FENCED("void main() {\n    x = 1;\n}\n")}};
+    const piece pieces[] = {little::version, {"estimator/wrong.glsl", "void main() {\n    x = 1;\n}\n", 4}};
     pass wrong = little::spread;
     wrong.pieces = pieces;
     const std::string said = sentence_of([&] { spirv::compile(wrong); });
     CHECK(said == "pass 'spread' does not compile:\nestimator/wrong.glsl:5: 'x' : undeclared identifier");
 }
 
-TEST_CASE("a file without a fence counts from line 1") {
+TEST_CASE("a piece counts from line 1 where nothing else is said") {
     const piece pieces[] = {little::version, {"plain.glsl", "void main() { x = 1; }\n"}};
     const std::string said = sentence_of([&] { spirv::compile(pieces, spirv::shader_stage::compute); });
     CHECK(contains(said, "plain.glsl:1: "));
@@ -67,4 +65,19 @@ TEST_CASE("OpenGL GLSL parses and links as its stages") {
     unlinked.pieces = other;
     CHECK(contains(sentence_of([&] { spirv::check_opengl(unlinked); }), "does not link"));
     CHECK(contains(sentence_of([] { spirv::check_opengl(little::scale); }), "is GLSL for Vulkan"));
+}
+
+TEST_CASE("each of several pieces of one file is named with its own line") {
+    const piece pieces[] = {little::version,
+                            {"host/a.glsl", "float one() { return 1.0; }\n", 10},
+                            {"host/b.glsl", "float two() { return one(); }\n", 3},
+                            {"host/a.glsl", "void main() {\n    two(x);\n}\n", 20}};
+    CHECK(contains(sentence_of([&] { spirv::compile(pieces, spirv::shader_stage::compute); }), "host/a.glsl:21: 'x'"));
+}
+
+TEST_CASE("functions for the host's geometry are no program") {
+    pass geometry = little::spread;
+    geometry.stage = stage_kind::geometry;
+    CHECK(sentence_of([&] { spirv::compile(geometry); }) ==
+          "pass 'spread' is functions for the host's geometry: it has no main to compile");
 }

@@ -17,9 +17,9 @@ TEST_CASE("a compute shader's interface") {
     REQUIRE(r.bindings.size() == 3);
     CHECK(r.bindings[0].name == "crease_parameters");
     CHECK(r.bindings[0].kind == binding_kind::uniform_block);
-    CHECK(r.bindings[0].size == sizeof(parameters));
-    REQUIRE(r.bindings[0].members.size() == 12);
-    CHECK(r.bindings[0].members[2].name == "crease_radius");
+    CHECK(r.bindings[0].size == little::effect.block_size());
+    REQUIRE(r.bindings[0].members.size() == 7);
+    CHECK(r.bindings[0].members[2].name == "radius");
     CHECK(r.bindings[0].members[2].offset == 160);
     CHECK(!r.bindings[0].writable);
 
@@ -87,6 +87,7 @@ void main() {}
     CHECK(r.bindings[5].name == "nodes");
     CHECK(r.bindings[5].kind == binding_kind::storage_block);
     CHECK(!r.bindings[5].writable);
+    CHECK(r.bindings[5].readable);
     CHECK(r.bindings[6].arrayed);
     CHECK(r.bindings[7].multisampled);
     REQUIRE(r.constants.size() == 2);
@@ -95,6 +96,24 @@ void main() {}
     CHECK(r.constants[1].type == spirv::scalar_kind::floating_point);
     CHECK(r.constants[1].value == 0x3f000000u);
     CHECK(r.workgroup[2].size == 3);
+}
+
+TEST_CASE("a buffer is read, written or both, as all of its members are") {
+    const piece pieces[] = {little::version,
+                            {"buffers.comp",
+                             "layout(std430, set = 0, binding = 0) readonly buffer read { uint a, b; };\n"
+                             "layout(std430, set = 0, binding = 1) writeonly buffer written { uint c, d; };\n"
+                             "layout(std430, set = 0, binding = 2) buffer both { uint e; };\n"
+                             "layout(std430, set = 0, binding = 3) buffer some { readonly uint f; uint g; };\n"
+                             "void main() {}\n"}};
+    const spirv::reflection r = spirv::reflect(spirv::compile(pieces, spirv::shader_stage::compute));
+    REQUIRE(r.bindings.size() == 4);
+    const bool readable[] = {true, false, true, true}, writable[] = {false, true, true, true};
+    for (std::size_t i = 0; i < 4; ++i) {
+        CAPTURE(r.bindings[i].name);
+        CHECK(r.bindings[i].readable == readable[i]);
+        CHECK(r.bindings[i].writable == writable[i]);
+    }
 }
 
 TEST_CASE("outputs and attributes are sorted by location, whatever comes first in the text") {

@@ -1,19 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Each GLSL file compiles alone, beside the types and prototypes that it states it calls.
-#include <crease/crease.hpp>
+// Each GLSL file compiles alone: with the prototypes of its contract, what is written for the program of an effect that
+// has it, and the structs and constants of that effect, but no function of another part.
+#include "pure/compositions.hpp"
+#include "pure/glsl_files.hpp"
+
 #include <crease/spirv.hpp>
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <memory>
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace {
 
 namespace fs = std::filesystem;
+using namespace crease;
 
 std::string read(const fs::path& path) {
     std::ifstream file(path);
@@ -22,182 +31,188 @@ std::string read(const fs::path& path) {
     return text.str();
 }
 
-// What the interface of a program declares for its files.
-constexpr std::string_view version = "#version 450\n";
-constexpr std::string_view prelude = R"(#define crease_unroll
-const int crease_divisor = 1;
-const int crease_workgroup_columns = 16;
-const int crease_input_divisor = 2;
-int crease_view_index = 0;
-#define crease_parameters_place std140, set = 0, binding = 0
-layout(r32ui, set = 0, binding = 1) uniform readonly uimage2D crease_input;
-)";
-constexpr const char* workgroup = "layout(local_size_x = 16, local_size_y = 16) in;\n";
-
-/// A resource as GLSL declares it.
-std::string declared(const crease::resource& r, crease::access how, unsigned slot) {
-    const crease::format_facts texels = crease::facts_of(r.texels);
-    const std::string prefix = texels.whole_numbers ? "u" : "";
-    const std::string shape = r.samples_by.number >= 0 ? "2DMS" : r.arrayed ? "2DArray" : "2D";
-    const std::string place = "set = 0, binding = " + std::to_string(slot) + ") uniform " + prefix;
-    const std::string name = " crease_" + std::string(r.name) + ";\n";
-    if (how == crease::access::sample)
-        return "layout(" + place + "sampler" + shape + name;
-    return "layout(" + std::string(texels.glsl) + ", " + place + "image" + shape + name;
+/// The identifiers of a text that begin with `crease_`, comments aside.
+std::set<std::string> identifiers_of(std::string_view text) {
+    std::set<std::string> all;
+    for (std::size_t i = 0; i < text.size();) {
+        if (text.substr(i).starts_with("//"))
+            i = text.find('\n', i);
+        std::size_t end = i;
+        while (end < text.size() && reading::is_word(text[end]))
+            ++end;
+        if (text.substr(i, end - i).starts_with("crease_"))
+            all.emplace(text.substr(i, end - i));
+        i = end == i ? i + 1 : end;
+    }
+    return all;
 }
 
-/// The resources of the parts that a file belongs to, as it uses them.
-std::string resources_for(const std::string& file) {
-    std::string text;
-    std::set<std::string_view> known;
-    unsigned slot = 10;
-    for (const crease::part* p : crease::all_parts) {
-        const auto is = [&file](const crease::glsl_file* f) { return f && f->name == file; };
-        const auto add = [&](std::string_view name, bool stored) {
-            for (const auto& list : {p->resources, p->intermediates})
-                for (const crease::resource& r : list)
-                    if (r.name == name && known.insert(name).second)
-                        text += declared(r, stored ? crease::access::store : r.read, slot++);
-        };
-        bool owns = is(p->glsl);
-        for (const crease::glsl_file* helper : p->helpers)
-            owns = owns || is(helper);
-        if (owns)
-            for (const crease::resource& r : p->resources)
-                add(r.name, false);
-        for (const crease::step& s : p->steps) {
-            bool in_step = is(s.body);
-            for (const crease::glsl_file* helper : s.helpers)
-                in_step = in_step || is(helper);
-            if (!in_step)
-                continue;
-            for (std::string_view name : s.reads)
-                add(name, false);
-            for (std::string_view name : s.writes)
-                add(name, true);
+/// The symbols of a file, read once.
+const symbol_table& table_of(const glsl_file* file) {
+    static std::map<const glsl_file*, std::unique_ptr<symbol_table>> known;
+    std::unique_ptr<symbol_table>& table = known[file];
+    if (!table)
+        table = std::make_unique<symbol_table>(read_symbols(*file));
+    return *table;
+}
+
+std::string_view text_of(const symbol_table& table, const definition& own) {
+    return table.file->text.substr(own.begin, own.end - own.begin);
+}
+
+/// Whether a definition is a function: a bracket is the first that tells what it is.
+bool is_function(std::string_view text) {
+    while (true) {
+        const std::size_t comment = text.find("//"), mark = text.find_first_of("({=[;");
+        if (comment == std::string_view::npos || mark < comment)
+            return text[mark] == '(';
+        text.remove_prefix(text.find('\n', comment));
+    }
+}
+
+/// One GLSL file, and the program of a pass that may call it.
+class file_alone {
+public:
+    file_alone(const glsl_file& file, const plan& p, const planned_pass& pass)
+        : file_(file), pass_(pass), whole_(read(fs::path(CREASE_TEMPLATES) / file.name)) {
+        const auto found = std::make_unique<linker>();
+        for (const glsl_file* each : files_of(p, pass)) {
+            files_.push_back(each);
+            found->add(table_of(each));
         }
-        if (p->captures && is(p->captures->body) && p->captures->how == crease::access::modify)
-            add(p->captures->writes, true);
+        for (const definition& each : table_of(&file).definitions)
+            found->use(each.name);
+        interface_ = program_writer(p, pass, *found).write().interface.view();
+        if (interface_.find("#version") == std::string::npos)
+            interface_ = "#version 450\n" + interface_;
+        for (const std::string& name : identifiers_of(whole_))
+            need(name);
+        if (whole_.find("crease_write(") != std::string::npos) // which calls it
+            before_ += "vec4 crease_encode_visibility(crease_result result);\n";
     }
-    return text;
-}
 
-/// The extension of the part that a file belongs to.
-std::string extension_for(const std::string& file) {
-    for (const crease::part* p : crease::all_parts)
-        if (p->glsl && p->glsl->name == file && !p->extension.empty())
-            return "#extension " + std::string(p->extension) + " : require\n";
-    return "";
-}
-
-/// The constants of all parts, which a file alone may name.
-std::string constants() {
-    std::string text;
-    std::set<std::string> of_steps;
-    for (const crease::part* p : crease::all_parts) {
-        for (const crease::number& n : p->numbers)
-            text += "const int crease_" + std::string(p->name) + "_" + std::string(n.name) + " = " +
-                    std::to_string(n.fallback) + ";\n";
-        for (const crease::step& s : p->steps)
-            for (const crease::step_constant& c : s.constants)
-                of_steps.insert(std::string(c.of.empty() ? p->name : c.of) + "_" + std::string(c.name));
+    /// What the file names, and neither it, its contract nor what stands before it declares.
+    std::vector<std::string> unknown() const {
+        std::vector<std::string> names;
+        const std::set<std::string> written = identifiers_of(interface_), before = identifiers_of(before_);
+        for (const std::string& name : identifiers_of(whole_))
+            if (!written.contains(name) && !before.contains(name) && !declares(name))
+                names.push_back(name);
+        return names;
     }
-    for (const std::string& name : of_steps)
-        text += "const int crease_" + name + " = 1;\n";
-    return text;
-}
 
-/// The structs that a file's prototypes name, each from a part that defines it.
-std::string structs_for(const std::string& text) {
-    std::string structs;
-    const auto add = [&](std::string_view name, std::string_view file, std::string_view ends) {
-        const std::string wanted = "struct " + std::string(name) + (name.ends_with(" ") ? "{" : " {");
-        if (text.find(std::string(name)) == std::string::npos || text.find(wanted) != std::string::npos)
+    /// @throws spirv::error  where it does not compile
+    void compile() const {
+        const bool has_main = whole_.find("void main()") != std::string::npos;
+        const piece pieces[] = {{"interface", interface_},
+                                {"before", before_},
+                                {file_.name, whole_},
+                                {"end", has_main ? "" : "void main() {}\n"}};
+        const spirv::shader_stage stage =
+            pass_.stage == stage_kind::geometry || pass_.stage == stage_kind::fragment ? spirv::shader_stage::fragment
+                                                                                        : spirv::shader_stage::compute;
+        spirv::detail::parse(pieces, stage, dialect_kind::vulkan, file_.name);
+    }
+
+private:
+    /// Adds a struct, constant or variable of another file after what it needs itself; and of the camera and its texels,
+    /// which no file has to state that it calls, functions too.
+    void need(const std::string& name) {
+        if (!known_.insert(name).second || declares(name))
             return;
-        const std::string from = read(fs::path(CREASE_TEMPLATES) / file);
-        const std::size_t begin = from.find(wanted);
-        const std::string found = from.substr(begin, from.find(ends, begin) + ends.size() - begin) + "\n";
-        std::istringstream lines(from);
-        for (std::string line; std::getline(lines, line);)
-            if (line.starts_with("const int ") &&
-                found.find('[' + line.substr(10, line.find(' ', 10) - 10) + ']') != std::string::npos)
-                structs += line + "\n"; // the size of an array in it
-        structs += found;
-    };
-    const auto holds = [&](std::string_view word) { return text.find(word) != std::string::npos; };
-    add("crease_result",
-        holds("bent") || holds("_bend") ? "output/bent_cone_result.glsl"
-        : holds("shade")                ? "output/shade_result.glsl"
-                                        : "output/visibility_result.glsl",
-        "};");
-    add("crease_bend", "output/bent_cone_result.glsl", "};");
-    add("crease_receiver", "core/receiver.glsl", "};");
-    add("crease_gathered", "output/occlusion_alone.glsl", "};");
-    add("crease_layers", "depth/single_layer.glsl", "};");
-    add("crease_areas ", "depth/summed_area.glsl", "};");
-    const bool in_space = holds("tap.offset") || holds("sphere_points");
-    const bool lines = holds("tap.near") || holds("crease_line_chord");
-    const bool areas = holds("vec4 area") || holds("crease_sample_area");
-    add("crease_tap",
-        in_space ? "sampler/point_tap.glsl"
-        : lines  ? "sampler/line_tap.glsl"
-        : areas  ? "sampler/area_tap.glsl"
-                 : "sampler/screen_tap.glsl",
-        "};");
-    add("crease_pattern", "sampler/directions.glsl", "};");
-    add("crease_estimate", holds("estimate.rounding") ? "estimator/ssao.glsl" : "estimator/hbao.glsl", "};");
-    const bool plus = text.find("contribution.rise") != std::string::npos;
-    const bool points = text.find("contribution.points") != std::string::npos;
-    add("crease_contribution",
-        plus     ? "estimator/hbao_plus.glsl"
-        : points ? "estimator/ssao.glsl"
-        : areas  ? "estimator/mean_height.glsl"
-                 : "estimator/hbao.glsl",
-        "};");
-    add("crease_groups", "fold/groups.glsl", "};");
-    add("crease_batch", "core/batch.glsl", "};");
-    return structs;
-}
+        for (const glsl_file* each : files_)
+            for (const definition& own : table_of(each).definitions) {
+                if (own.name != symbol_of(name) || each == &file_)
+                    continue;
+                const std::string_view text = text_of(table_of(each), own);
+                if (is_function(text) && each != &view_glsl && each != &texels_glsl)
+                    return;
+                for (const std::string& needed : identifiers_of(text))
+                    need(needed);
+                before_ += text;
+                return;
+            }
+    }
+
+    /// Whether the file or its contract declares a name: as a word after another word, before what follows a name.
+    bool declares(const std::string& name) const {
+        for (std::size_t at = whole_.find(name); at != std::string::npos; at = whole_.find(name, at + 1)) {
+            const std::size_t end = at + name.size();
+            const bool is_whole = !reading::is_word(whole_[end]) && !reading::is_word(whole_[at - 1]);
+            const std::size_t line = whole_.rfind('\n', at) + 1;
+            const bool at_top = line != at && whole_[line] != ' ' && whole_[line] != '/' && whole_[line] != '#';
+            if (is_whole && at_top && whole_[at - 1] == ' ' && std::string_view("({ [;").find(whole_[end]) != std::string_view::npos &&
+                whole_.find_first_of("(=", line) >= at)
+                return true;
+        }
+        return false;
+    }
+
+    const glsl_file& file_;
+    const planned_pass& pass_;
+    std::string whole_, interface_, before_;
+    std::vector<const glsl_file*> files_;
+    std::set<std::string> known_;
+};
 
 }
 
 TEST_CASE("each GLSL file alone") {
-    unsigned files = 0;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(CREASE_TEMPLATES)) {
-        const std::string name = fs::relative(entry.path(), CREASE_TEMPLATES).generic_string();
-        if (entry.path().extension() != ".glsl" || name.starts_with("core/parameters") ||
-            name.starts_with("core/types") || name.starts_with("stage/"))
-            continue; // these two stand before every other; a stage is whole only in its program
-        CAPTURE(name);
-        const std::string own = read(entry.path());
-        CHECK(own.size() <= crease::glsl_file::longest);
-        const crease::spirv::shader_stage stage = name.starts_with("capture/")
-                                                      ? crease::spirv::shader_stage::fragment
-                                                      : crease::spirv::shader_stage::compute;
-        const std::string before = std::string(version) + extension_for(name) + std::string(prelude) +
-                                   (stage == crease::spirv::shader_stage::compute ? workgroup : "") +
-                                   constants() + resources_for(name);
-        const std::string text = structs_for(own);
-        const crease::piece pieces[] = {{"prelude", before}, crease::parameters_glsl,
-                                        crease::types_glsl,  {"structs", text},
-                                        {name, own},         {"end", "void main() {}\n"}};
-        CHECK_NOTHROW(crease::spirv::detail::parse(pieces, stage, crease::dialect_kind::vulkan, name));
-        ++files;
+    std::set<const glsl_file*> left = all_glsl_files();
+    left.erase(&fullscreen_glsl); // a program by itself, compiled with every fragment pass
+    std::map<std::string, std::vector<std::string>> unknown;
+    std::size_t compiled = 0;
+    for (const std::string& text : every_recipe()) {
+        if (left.empty())
+            break;
+        const auto p = std::make_unique<plan>(make_plan(recipe(std::string_view(text)).choices()));
+        if (!p->is_vulkan())
+            continue;
+        for (const planned_pass& pass : p->passes)
+            for (const glsl_file* file : files_of(*p, pass)) {
+                if (!left.contains(file))
+                    continue;
+                const file_alone alone(*file, *p, pass);
+                unknown[std::string(file->name)] = alone.unknown();
+                if (!alone.unknown().empty())
+                    continue; // it is for other effects, as those of a bent cone
+                CAPTURE(std::string(file->name));
+                CAPTURE(text);
+                CHECK_NOTHROW(alone.compile());
+                left.erase(file);
+                ++compiled;
+            }
     }
-    CHECK(files > 15);
+    for (const glsl_file* file : left) {
+        std::string names;
+        for (const std::string& each : unknown[std::string(file->name)])
+            names += " " + each;
+        FAIL_CHECK(std::string(file->name) << " is whole in no effect; the last one lacks" << names);
+    }
+    CHECK(compiled > 100);
+}
+
+TEST_CASE("each GLSL file belongs to a part or to the core") {
+    std::set<std::string> known;
+    for (const glsl_file* file : all_glsl_files())
+        known.emplace(file->name);
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(CREASE_TEMPLATES))
+        if (entry.path().extension() == ".glsl") {
+            const std::string name = fs::relative(entry.path(), CREASE_TEMPLATES).generic_string();
+            CAPTURE(name);
+            CHECK(known.erase(name) == 1);
+        }
+    CHECK(known.empty());
 }
 
 TEST_CASE("an error names the file and its line") {
     const std::string wrong =
         read(fs::path(CREASE_TEMPLATES) / "noise/hashed_noise.glsl") + "float broken = nothing;\n";
-    const crease::piece pieces[] = {{"interface",
-                                     "#version 450\nconst int crease_view_index = 0;\n"
-                                     "#define crease_parameters_place std140, set = 0, binding = 0\n"},
-                                    crease::parameters_glsl,
-                                    {"noise/hashed_noise.glsl", wrong},
-                                    {"end", "void main() {}\n"}};
+    const piece pieces[] = {{"interface", "#version 450\nconst uint crease_frame = 0u;\n"},
+                            {"noise/hashed_noise.glsl", wrong},
+                            {"end", "void main() {}\n"}};
     const long line = std::count(wrong.begin(), wrong.end(), '\n');
-    CHECK_THROWS_WITH_AS(crease::spirv::compile(pieces, crease::spirv::shader_stage::compute),
+    CHECK_THROWS_WITH_AS(spirv::compile(pieces, spirv::shader_stage::compute),
                          doctest::Contains(("noise/hashed_noise.glsl:" + std::to_string(line)).c_str()),
-                         crease::spirv::error);
+                         spirv::error);
 }

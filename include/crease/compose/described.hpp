@@ -75,6 +75,8 @@ struct pass_order {
         for (const binding& b : written.bindings)
             if (writes(b.how))
                 is_filled[b.resource] = true;
+        if (written.bindings.cut || written.constants.cut)
+            return {rules::few_passes, pass.what->name};
         return written.cut ? refusal{rules::short_programs, pass.what->name} : refusal{};
     }
 };

@@ -127,11 +127,17 @@ struct whole<Effect, std::index_sequence<Pass...>> {
         own.constants = constants<Which>;
         return own;
     }
+    // A member that nothing names is never asserted.
     static constexpr bool fits = assert_fit<Effect, whole>();
-    static constexpr std::array<pass, sizeof...(Pass)> passes = {described<Pass>()...};
+    static constexpr std::array<pass, sizeof...(Pass)> passes = [] {
+        std::array<pass, sizeof...(Pass)> all{};
+        if constexpr (fits)
+            all = {described<Pass>()...};
+        return all;
+    }();
     static constexpr std::array<resource, map.count> resources = [] {
         std::array<resource, map.count> all{};
-        for (std::size_t i = 0; i < planned<Effect>.resources.size(); ++i)
+        for (std::size_t i = 0; fits && i < planned<Effect>.resources.size(); ++i)
             if (map.is_used[i]) {
                 all[map.index[i]] = planned<Effect>.resources[i];
                 all[map.index[i]].further_names = {};

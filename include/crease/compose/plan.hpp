@@ -71,7 +71,17 @@ inline constexpr std::string_view between[] = {"between_0",  "between_1",  "betw
                                                "between_8",  "between_9",  "between_10", "between_11",
                                                "between_12", "between_13", "between_14", "between_15"};
 
+/// Whether the part stands before: a filter that stands twice owns what it describes once.
+constexpr bool stands_before(const plan& p, const choice& c) {
+    for (const choice& each : p.parts)
+        if (&each == &c || each.what == c.what)
+            return &each != &c;
+    return false;
+}
+
 constexpr void add_resources(plan& p, const choice& c, unsigned view_divisor) {
+    if (stands_before(p, c))
+        return;
     for (const resource& described : c.what->resources) {
         if (described.life == lifetime::handed_on || described.life == lifetime::output)
             continue;
@@ -104,7 +114,7 @@ constexpr void add_settings(plan& p, const choice& c) {
 /// The steps of a part that run before the main pass or after the last filter.
 constexpr void add_steps(plan& p, const choice& owner, bool after, unsigned view_divisor) {
     for (const step& s : owner.what->steps) {
-        if (s.kind == step_kind::result || s.after != after || owner.numbers[0] < s.from)
+        if (stands_before(p, owner) || s.kind == step_kind::result || s.after != after || owner.numbers[0] < s.from)
             continue;
         const unsigned views = s.per_view ? p.views : 1;
         for (unsigned i = 0; i < views * static_cast<unsigned>(s.times); ++i) {

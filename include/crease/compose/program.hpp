@@ -163,7 +163,7 @@ private:
                 i += plan_.views - 1;
         }
         if (pass_.input >= 0)
-            bind("input", static_cast<std::size_t>(pass_.input), read_access(plan_.resources[pass_.input]));
+            bind("input", static_cast<std::size_t>(pass_.input), read_access(plan_.resources[static_cast<std::size_t>(pass_.input)]));
         for (std::size_t i = 0; i < pass_.outputs.size(); ++i) {
             const unsigned at = pass_.outputs[i];
             if (!is_result_)

@@ -129,7 +129,7 @@ private:
         if (writes(b.how) || b.how == access::load)
             differ("the format of " + name, std::string(facts_of(image.texels).name),
                    std::string(facts_of(f.texels).name));
-        if (b.how == access::store && f.readable)
+        if (b.how == access::store && f.readable && f.writable)
             say(name + " is declared as stored to, but the SPIR-V may also read it");
         if (b.how == access::modify && !f.readable)
             say(name + " is declared as changed, but the SPIR-V only stores to it");

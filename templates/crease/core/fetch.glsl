@@ -12,12 +12,6 @@ __LINE__, R"glsl("
 // Fetches the layers that are worth fetching before any is weighed: by default all.
 crease_layers crease_fetch_first_layers(vec2 texel) { return crease_fetch_layers(texel); }
 
-// Combines all layers of a tap, the first of which are fetched already.
-crease_contribution crease_combine_first_layers(crease_march march, crease_receiver receiver, crease_tap tap,
-                                                crease_layers layers) {
-    return crease_combine_layers(march, receiver, tap, layers, true);
-}
-
 // Combines fetched layers, at least one; if not `wanted`, the result is not used.
 crease_contribution crease_combine_layers(crease_march march, crease_receiver receiver, crease_tap tap,
                                           crease_layers layers, bool wanted) {
@@ -25,6 +19,12 @@ crease_contribution crease_combine_layers(crease_march march, crease_receiver re
     for (int i = 1; wanted && i < crease_layer_count(layers); ++i)
         all = crease_combine(all, crease_weigh(march, receiver, tap, crease_layer_at(layers, i)));
     return all;
+}
+
+// Combines all layers of a tap, the first of which are fetched already.
+crease_contribution crease_combine_first_layers(crease_march march, crease_receiver receiver, crease_tap tap,
+                                                crease_layers layers) {
+    return crease_combine_layers(march, receiver, tap, layers, true);
 }
 #ifdef __cplusplus
 ")glsl"

@@ -12,5 +12,6 @@ TEST_CASE("single_layer needs nothing but the depth of the receivers") {
     using effect = crease::effect<crease::directions<>, crease::single_layer, crease::hbao>;
     CHECK(effect::resources[1].name == "depth");
     CHECK(effect::resources[1].life == crease::lifetime::input);
-    CHECK_FALSE(piece_of(effect::passes[0], "core/fold_max.glsl").empty());
+    CHECK(has_part_of(effect::passes[0], "depth/single_layer.glsl"));
+    CHECK(effect::resources.size() == 4); // parameters, depth, normal, visibility
 }

@@ -14,7 +14,7 @@ using namespace crease;
 using full = effect<sample_box, summed_area<>, mean_height<>>;
 using quarter = effect<sample_box, summed_area<4>, mean_height<>>;
 
-static_assert(offers<summed_area<>, area_layers>);
+static_assert(offers<summed_area<>, layers_of_areas>);
 static_assert(!offers<summed_area<>, depth_layers>);
 static_assert(full::passes.size() == 5);
 
@@ -28,7 +28,7 @@ TEST_CASE("summed_area makes and sums rows, and then sums columns of the same ta
     for (std::size_t i : {2u, 3u})
         CHECK(contains(full::passes[i].pieces[0].text,
                        i == 2 ? "const int crease_scan_axis = 0;" : "const int crease_scan_axis = 1;"));
-    CHECK(piece_of(full::passes[2], "depth/scan.glsl") == piece_of(full::passes[3], "depth/scan.glsl"));
+    CHECK(part_of(full::passes[2], "depth/scan.glsl") == part_of(full::passes[3], "depth/scan.glsl"));
 }
 
 TEST_CASE("the tables are as much smaller than the picture as the number says") {

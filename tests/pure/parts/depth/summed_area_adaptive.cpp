@@ -14,7 +14,7 @@ using namespace crease;
 
 using four = effect<sample_box, summed_area_adaptive<4, 2>, mean_height<>>;
 
-static_assert(offers<summed_area_adaptive<>, area_layers>);
+static_assert(offers<summed_area_adaptive<>, layers_of_areas>);
 
 }
 

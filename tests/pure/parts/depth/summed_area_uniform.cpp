@@ -11,7 +11,7 @@ using namespace crease;
 
 using effect_of_9 = effect<sample_box, summed_area_uniform<9, 2>, mean_height<>>;
 
-static_assert(offers<summed_area_uniform<>, area_layers>);
+static_assert(offers<summed_area_uniform<>, layers_of_areas>);
 static_assert(effect_of_9::passes.size() == 6);
 
 }

@@ -10,5 +10,5 @@ static_assert(!crease::recipe("hemisphere_points/single_layer/hbao"));
 TEST_CASE("hbao recommends its settings") {
     using effect = crease::effect<crease::directions<>, crease::single_layer, crease::hbao>;
     for (const crease::setting& each : crease::hbao::reads)
-        CHECK(effect::defaults.*each.field == each.fallback);
+        CHECK(get(effect::defaults, effect::settings, each.name) == each.fallback);
 }

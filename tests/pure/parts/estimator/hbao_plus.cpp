@@ -10,5 +10,5 @@ static_assert(!crease::recipe("hemisphere_points/single_layer/hbao_plus"));
 TEST_CASE("hbao_plus recommends its settings") {
     using effect = crease::effect<crease::poisson_disk<>, crease::single_layer, crease::hbao_plus>;
     for (const crease::setting& each : crease::hbao_plus::reads)
-        CHECK(effect::defaults.*each.field == each.fallback);
+        CHECK(get(effect::defaults, effect::settings, each.name) == each.fallback);
 }

@@ -13,6 +13,6 @@ static_assert(!crease::recipe("box_window/single_layer/line_volume"));
 TEST_CASE("line_volume recommends its settings and brings what volumes share") {
     using effect = crease::effect<crease::hemisphere_lines<>, crease::single_layer, crease::line_volume>;
     for (const crease::setting& each : crease::line_volume::reads)
-        CHECK(effect::defaults.*each.field == each.fallback);
-    CHECK_FALSE(piece_of(effect::passes[0], "core/volume.glsl").empty());
+        CHECK(get(effect::defaults, effect::settings, each.name) == each.fallback);
+    CHECK(has_part_of(effect::passes[0], "estimator/volume.glsl"));
 }

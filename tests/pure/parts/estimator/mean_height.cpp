@@ -17,9 +17,9 @@ static_assert(!recipe("directions/summed_area/hbao"));
 
 }
 
-TEST_CASE("mean_height recommends its settings, and folds layers by their mean") {
+TEST_CASE("mean_height recommends its settings, and layers of areas count by the number of their texels") {
     for (const setting& each : mean_height<>::reads)
-        CHECK(oriented::defaults.*each.field == each.fallback);
-    CHECK_FALSE(piece_of(oriented::passes.back(), "core/fold_mean.glsl").empty());
+        CHECK(get(oriented::defaults, oriented::settings, each.name) == each.fallback);
+    CHECK(has_part_of(oriented::passes.back(), "traversal/area_layers.glsl"));
     CHECK(contains(oriented::source<4>, "const int crease_mean_height_oriented = 1;"));
 }

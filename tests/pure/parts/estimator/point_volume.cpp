@@ -13,6 +13,6 @@ static_assert(!crease::recipe("poisson_disk/single_layer/point_volume"));
 TEST_CASE("point_volume recommends its settings and brings what volumes share") {
     using effect = crease::effect<crease::sphere_points<17>, crease::single_layer, crease::point_volume>;
     for (const crease::setting& each : crease::point_volume::reads)
-        CHECK(effect::defaults.*each.field == each.fallback);
-    CHECK_FALSE(piece_of(effect::passes[0], "core/volume.glsl").empty());
+        CHECK(get(effect::defaults, effect::settings, each.name) == each.fallback);
+    CHECK(has_part_of(effect::passes[0], "estimator/volume.glsl"));
 }

@@ -10,5 +10,5 @@ static_assert(!crease::recipe("poisson_disk/single_layer/ssao"));
 TEST_CASE("ssao recommends its settings") {
     using effect = crease::effect<crease::hemisphere_points<>, crease::single_layer, crease::ssao>;
     for (const crease::setting& each : crease::ssao::reads)
-        CHECK(effect::defaults.*each.field == each.fallback);
+        CHECK(get(effect::defaults, effect::settings, each.name) == each.fallback);
 }

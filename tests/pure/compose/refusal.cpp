@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What does not compile (tests/misuse) is refused at run time with the same words.
-#include <crease/recipe.hpp>
+#include <crease/crease.hpp>
 
 #include <doctest/doctest.h>
 
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <string>
 
 namespace {
@@ -29,8 +30,15 @@ TEST_CASE("a recipe is refused with the sentence of the static assertion") {
         const std::string sentence = comment(file), parts = comment(file), text = comment(file);
         if (text == "no recipe says this")
             continue;
-        CHECK(std::string(crease::recipe(std::string_view(text)).error()) == sentence + " " + parts);
+        const crease::recipe chosen{std::string_view(text)};
+        CHECK(std::string(std::make_unique<crease::composition>(chosen)->error()) == sentence + " " + parts);
         ++compared;
     }
     CHECK(compared >= 12);
+}
+
+TEST_CASE("a refusal names the parts that it is about, and one that is none says nothing") {
+    CHECK(crease::refusal{}.message().view().empty());
+    CHECK(crease::refusal{"no", "a"}.message().view() == "crease::effect: no (a)");
+    CHECK(crease::refusal{"no", "a", "b"}.message().view() == "crease::effect: no (a, b)");
 }

@@ -20,6 +20,38 @@ constexpr plan planned(std::string_view text) {
 static_assert(planned("directions/single_layer/hbao").passes.size() == 1);
 static_assert(planned("directions/single_layer/hbao/bilateral").passes.size() == 3);
 static_assert(planned("directions/single_layer/hbao/reconstructed_normals").resources.size() == 3);
+static_assert(planned("directions:5/single_layer/hbao").recipe.view() == "directions:5x4x2/single_layer/hbao");
+
+const resource& resource_of(const plan& p, std::string_view name) {
+    return p.resources[static_cast<std::size_t>(p.index_of(name, 0))];
+}
+
+namespace host {
+
+constexpr glsl_file count_glsl{"host/count.glsl", R"(
+void crease_build(ivec2 texel) { imageStore(crease_counts, texel, vec4(1.0)); }
+)"};
+constexpr const glsl_file* files[] = {&count_glsl};
+constexpr std::string_view filled[] = {"counts"};
+constexpr resource images[] = {{.name = "counts", .texels = format::r32_float, .life = lifetime::report}};
+constexpr step steps[] = {
+    {.name = "last", .files = files, .kind = step_kind::texels, .after = true, .writes = filled},
+    {.name = "twice",
+     .files = files,
+     .kind = step_kind::texels,
+     .writes = filled,
+     .times = 2,
+     .per_view = true},
+};
+/// Noise, as its role is one of the first.
+constexpr part counting{.kind = role::noise,
+                        .name = "counting",
+                        .summary = "",
+                        .source = "",
+                        .resources = images,
+                        .steps = steps};
+
+}
 
 /// A name and a size of a picture of 641 x 359 texels with a guard band of 16.
 struct sized {
@@ -36,16 +68,15 @@ std::vector<sized> sizes_of(const Items& items) {
     return all;
 }
 
-/// The size of each pass, image and capture of a recipe; `images` and `captures` in any order.
+/// The size of each pass and image of a recipe; `images` in any order.
 void check_sizes(std::string_view recipe_text, const std::vector<sized>& passes,
-                 const std::vector<sized>& images, const std::vector<sized>& captures = {}) {
+                 const std::vector<sized>& images) {
     CAPTURE(std::string(recipe_text));
     const recipe chosen(recipe_text);
     REQUIRE(chosen);
     const auto composed = std::make_unique<composition>(chosen);
     const effect_view view = composed->view();
     CHECK(sizes_of(view.passes) == passes);
-    CHECK(sizes_of(view.captures) == captures);
     std::vector<sized> there = sizes_of(view.resources);
     REQUIRE(there.size() == images.size() + 1); // and the block of parameters
     for (const sized& each : images)
@@ -79,10 +110,10 @@ TEST_CASE("each pass reads what the one before it writes, in the encoding betwee
     CHECK(p.passes[0].input == -1);
     for (std::size_t i = 1; i < p.passes.size(); ++i) {
         CHECK(p.passes[i].input == static_cast<int>(p.passes[i - 1].outputs[0]));
-        CHECK(p.resources[p.passes[i - 1].outputs[0]].texels == visibility_depth_encoding.texels);
+        CHECK(p.resources[p.passes[i - 1].outputs[0]].texels == format::r32_uint);
         CHECK(p.passes[i].last == (i + 1 == p.passes.size()));
     }
-    CHECK(p.resources[p.passes[p.passes.size() - 1].outputs[0]].texels == visibility_encoding.texels);
+    CHECK(p.resources[p.passes[p.passes.size() - 1].outputs[0]].texels == format::r8_unorm);
     CHECK(p.resources[p.resources.size() - 1].life == lifetime::output);
 }
 
@@ -119,15 +150,18 @@ TEST_CASE("sizes: two upsamplings, of two images each") {
 
 TEST_CASE("sizes: layers of two cameras, the second at a third of the resolution and without a band") {
     check_sizes("directions/stochastic_layers:4/hbao_plus/atomic_minimum/second_view:3",
-                {{"pack_layers", 673, 391}, {"pack_layers", 214, 120}, {"visibility", 641, 359}},
+                {{"capture_layers", 673, 391},
+                 {"captured_layers_1", 214, 120},
+                 {"pack_layers", 673, 391},
+                 {"pack_layers", 214, 120},
+                 {"visibility", 641, 359}},
                 {{"depth", 673, 391},
                  {"normal", 673, 391},
                  {"subsets", 256, 257},
                  {"captured_layers", 673, 391},
-                 {"second_captured_layers", 214, 120},
+                 {"captured_layers_1", 214, 120},
                  {"packed_layers", 673, 391},
-                 {"visibility", 641, 359}},
-                {{"layers", 673, 391}, {"second_captured_layers", 214, 120}});
+                 {"visibility", 641, 359}});
 }
 
 TEST_CASE("sizes: tables at a quarter of the resolution, and their range") {
@@ -157,7 +191,7 @@ TEST_CASE("a multisampled image has the least power of 2 above 1 that holds the 
         CAPTURE(count);
         const plan p =
             planned("directions/stochastic_layers:" + std::to_string(count) + "/hbao/multisampled");
-        const resource& captured = p.resources[p.index_of("captured_layers")];
+        const resource& captured = resource_of(p, "captured_layers");
         CHECK(captured.samples == samples[count - 1]);
         CHECK(captured.layers == 1);
         CHECK(!captured.arrayed);
@@ -173,14 +207,75 @@ TEST_CASE("an array of captured layers has one for each sample, also where there
             CAPTURE(count);
             const plan p = planned("directions/stochastic_layers:" + std::to_string(count) +
                                    "/hbao_plus/atomic_minimum" + second);
+            const std::size_t cameras = second.empty() ? 1 : 2;
+            std::size_t captured = 0;
             for (const resource& r : p.resources)
-                if (r.life == lifetime::captured) {
+                if (r.name.starts_with("captured_layers")) {
+                    CHECK(r.life == lifetime::transient);
+                    CHECK(r.cleared);
                     CHECK(r.layers == count);
                     CHECK(r.arrayed);
                     CHECK(r.samples == 1);
+                    ++captured;
                 }
-            CHECK(p.resources[p.index_of("captured_layers")].life == lifetime::captured);
-            CHECK(p.captures.size() == (second.empty() ? 1 : 2));
-            CHECK(p.resources[p.index_of("packed_layers")].layers == groups * p.captures.size());
+            CHECK(captured == cameras);
+            CHECK(resource_of(p, "packed_layers").layers == groups * cameras);
         }
+}
+
+TEST_CASE("steps run before the main pass in the order of the roles, for each camera, or after the last filter") {
+    using host::counting;
+    static constexpr const part* known[] = {&directions_part::description, &stochastic_layers_part::description,
+                                            &hbao_plus::description,       &second_view_part::description,
+                                            &bilateral_part::description,  &atomic_minimum_part::description,
+                                            &counting};
+    const plan p = make_plan(
+        recipe("directions/stochastic_layers/hbao_plus/bilateral/second_view/atomic_minimum/counting", known).choices());
+    REQUIRE_FALSE(p.refused);
+    const std::vector<std::string_view> names{
+        "twice",          "twice",       "twice",       "twice",       // twice for each camera: a further view's
+        "capture_layers", "capture_layers", "pack_layers", "pack_layers",
+        "visibility",     "bilateral_x", "bilateral_y", "last"};
+    REQUIRE(p.passes.size() == names.size());
+    for (std::size_t i = 0; i < names.size(); ++i)
+        CHECK(p.passes[i].what->name == names[i]);
+    const unsigned views[] = {0, 0, 1, 1, 0, 1, 0, 1, 0, 0, 0, 0};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        CAPTURE(i);
+        CHECK(p.passes[i].view == views[i]);
+    }
+    CHECK(p.passes[4].stage == stage_kind::geometry);
+    CHECK(p.passes[10].last);
+    CHECK_FALSE(p.passes[11].last);
+    CHECK(p.views == 2);
+}
+
+TEST_CASE("a camera's pass fills what is the camera's own, and what all share otherwise") {
+    const plan p = planned("directions/stochastic_layers/hbao_plus/second_view");
+    for (const planned_pass& pass : p.passes) {
+        if (pass.what->name == "capture_layers")
+            CHECK(p.resources[pass.outputs[0]].name == (pass.view == 0 ? "captured_layers" : "captured_layers_1"));
+        if (pass.what->name == "pack_layers")
+            CHECK(p.resources[pass.outputs[0]].name == "packed_layers");
+    }
+}
+
+TEST_CASE("a step is there from a number of its part on") {
+    for (int levels = 1; levels <= 5; ++levels) {
+        CAPTURE(levels);
+        const plan p = planned("sample_box/mip_chain:" + std::to_string(levels) + "/mean_height");
+        CHECK(p.passes.size() == static_cast<std::size_t>(3 + levels));
+    }
+}
+
+TEST_CASE("settings of one name are one where both parts share it, and two where not") {
+    const plan p = planned("directions/stochastic_layers/hbao/bilateral/upsample");
+    std::vector<std::string> names;
+    for (const effect_setting& s : p.settings)
+        names.push_back(std::string(s.part) + "." + std::string(s.name));
+    CHECK(std::ranges::count(names, "bilateral.sharpness") == 1);
+    CHECK(std::ranges::count(names, "upsample.sharpness") == 1);
+    const plan twice = planned("directions/single_layer/hbao/bilateral:2/bilateral:4");
+    CHECK(std::ranges::count(twice.settings, std::string_view("sharpness"), &effect_setting::name) == 1);
+    CHECK(std::ranges::count(p.settings, std::string_view("strength"), &effect_setting::name) == 1);
 }

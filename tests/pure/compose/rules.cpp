@@ -12,7 +12,7 @@ using namespace crease;
 
 constexpr choice legal[] = {choice_of<directions<>>(), choice_of<single_layer>(), choice_of<hbao>()};
 static_assert(!check(legal));
-static_assert(complete(legal).size() == 10);
+static_assert(complete(legal).size() == 13);
 static_assert(complete(legal)[3].what == &perspective::description);
 
 constexpr choice unordered[] = {choice_of<poisson_disk<>>(), choice_of<single_layer>(), choice_of<hbao>()};
@@ -23,17 +23,25 @@ static_assert(check(unordered).message().view() ==
               "not propose (hbao, poisson_disk)");
 
 /// A filter that reads pixels of the picture, and makes it from a smaller one.
-constexpr step whole[] = {{.name = "zoom", .body = &bilateral_glsl, .full_size_input = true}};
+constexpr step whole[] = {
+    {.name = "zoom", .files = bilateral_part::files, .full_size_input = true, .upsampling = 0}};
 constexpr part zoom{.kind = role::filter,
                     .name = "zoom",
                     .summary = "",
                     .source = "",
                     .numbers = upsample<>::takes,
-                    .steps = whole,
-                    .upsampling = 0};
+                    .steps = whole};
 constexpr choice zoomed[] = {
     choice_of<directions<>>(), choice_of<single_layer>(), choice_of<hbao>(), {&zoom, {2}}};
 static_assert(check(zoomed).first == "zoom");
+
+/// The default part of a role; null where the effect has none.
+const part* default_of(const choice_list& all, role wanted) {
+    for (const choice& each : all)
+        if (each.what->kind == wanted)
+            return each.what;
+    return nullptr;
+}
 
 }
 
@@ -45,9 +53,25 @@ TEST_CASE("a choice is not completed with a part whose role is taken") {
     std::vector<choice> chosen(std::begin(legal), std::end(legal));
     chosen.push_back(choice_of<orthographic>());
     const choice_list all = complete(chosen);
-    CHECK(all.size() == 10);
+    CHECK(all.size() == 13);
     for (const choice& each : all)
         CHECK(each.what != &perspective::description);
+}
+
+TEST_CASE("of a role the first part that fits is the default, and none where no other part requires it") {
+    const choice_list flat = complete(legal);
+    CHECK(default_of(flat, role::layer_traversal) == &all_layers::description);
+    CHECK(default_of(flat, role::receivers) == &first_surface::description);
+    CHECK(default_of(flat, role::image_reads) == &texel_fetch::description);
+    for (role r : {role::coverage, role::layer_storage, role::scan, role::further_views, role::filter})
+        CHECK(default_of(flat, r) == nullptr);
+    const choice_list layered = complete(recipe("directions/stochastic_layers/hbao").choices());
+    CHECK(default_of(layered, role::coverage) == &stratified::description);
+    CHECK(default_of(layered, role::layer_storage) == &multisampled_part::description);
+    const choice_list areas = complete(recipe("sample_box/summed_area/mean_height").choices());
+    CHECK(default_of(areas, role::layer_traversal) == &area_layers::description);
+    CHECK(default_of(areas, role::scan) == &work_efficient_scan::description);
+    CHECK(default_of(complete(recipe("sample_box/mip_chain/mean_height").choices()), role::scan) == nullptr);
 }
 
 TEST_CASE("every number is checked at both ends of its range") {

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <crease/fixed_list.hpp>
+#include <crease/effect/fixed_text.hpp>
 
 #include <doctest/doctest.h>
 
 #include <limits>
-
-static_assert([] {
-    crease::fixed_list<int, 3> list;
-    list.add(4);
-    list.add(5);
-    return list.size() == 2 && list[1] == 5 && !list.full() && list.end() - list.begin() == 2;
-}());
 
 TEST_CASE("fixed_text writes numbers") {
     crease::fixed_text<64> text;

@@ -1,4 +1,4 @@
-// crease::effect: the fold comes back to a tap after others, and the estimator cannot resume there
+// crease::effect: the layer traversal comes back to a tap after others, and the estimator cannot add to it then
 // (deferred_layers, bare)
 // no recipe says this
 // SPDX-License-Identifier: MIT
@@ -11,9 +11,8 @@ struct bare {
                                               .name = "bare",
                                               .summary = "",
                                               .source = "",
-                                              .glsl = &crease::hbao_plus_glsl,
-                                              .needs = needs::list,
-                                              .offers = crease::traits<crease::front_test>::list};
+                                              .files = crease::hbao_plus::files,
+                                              .needs = needs::list};
 };
 
 using namespace crease;

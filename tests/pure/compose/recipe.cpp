@@ -92,12 +92,6 @@ TEST_CASE("text and values make the same recipe, and its text reads back") {
     }
 }
 
-TEST_CASE("a recipe that is refused composes to nothing") {
-    const composition none(recipe("hbao"));
-    CHECK(none.view().passes.empty());
-    CHECK(none.view().resources.empty());
-}
-
 TEST_CASE("a host limits the parts that a recipe may name, and adds its own") {
     static constexpr part own{.kind = role::estimator, .name = "own", .summary = "a host's", .source = ""};
     static constexpr const part* known[] = {&directions_part::description, &single_layer::description, &own};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <crease/parameters.hpp>
+#include <crease/effect/projection.hpp>
 
 #include <doctest/doctest.h>
 #include <glm/ext/matrix_clip_space.hpp>

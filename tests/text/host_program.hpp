@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Programs as hosts have them, compiled and compared with what their effect declares.
+#pragma once
+
+#include "spirv/sentence.hpp"
+#include "text/unused.hpp"
+
+#include <crease/crease.hpp>
+#include <crease/spirv.hpp>
+
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+inline std::string text_of(const crease::pass& p) {
+    std::string text;
+    for (const crease::piece& each : p.pieces)
+        text += each.text;
+    return text;
+}
+
+/// The text after its first line, which names the recipe.
+inline std::string without_recipe(const std::string& text) {
+    return text.substr(text.find('\n') + 1);
+}
+
+/// The pieces of a pass as a whole program: as they are, or within a shader of the host.
+inline std::vector<crease::piece> whole_program(const crease::pass& p) {
+    const bool vulkan = p.dialect == crease::dialect_kind::vulkan;
+    std::vector<crease::piece> whole(p.pieces.begin(), p.pieces.end());
+    const crease::piece version{"version", vulkan ? "#version 450\n" : "#version 430\n"};
+    if (p.stage == crease::stage_kind::functions) {
+        whole.insert(whole.begin(), {version, {"host", "layout(local_size_x = 8) in;\n"}});
+        whole.push_back({"host", "layout(std430, binding = 9) buffer host_result { float host_value; };\n"
+                                 "void main() { host_value = crease_visibility(ivec2(gl_GlobalInvocationID.xy)); }\n"});
+    } else if (p.stage == crease::stage_kind::geometry) {
+        whole.insert(whole.begin(), version);
+        whole.push_back({"host", vulkan ? "layout(location = 0) in vec3 host_position;\n"
+                                          "void main() { crease_capture(host_position); }\n"
+                                        : "in vec3 host_position;\nvoid main() { crease_capture(host_position); }\n"});
+    }
+    return whole;
+}
+
+/// Checks that a program of Vulkan compiles, is valid and has the interface that the effect declares.
+inline void check_vulkan(const crease::effect_view& effect, const crease::pass& p, std::set<std::string>& without_use) {
+    using namespace crease;
+    const bool functions = p.stage == stage_kind::functions;
+    const spirv::shader_stage stage = functions || p.stage == stage_kind::compute ? spirv::shader_stage::compute
+                                                                                  : spirv::shader_stage::fragment;
+    const spirv::words module = spirv::compile(whole_program(p), stage, p.name);
+    spirv::validate(module);
+    pass declared = p;
+    std::vector<std::string> expected;
+    if (functions) { // the host has all that is declared, and a buffer of its own
+        declared.stage = stage_kind::geometry;
+        expected.push_back("pass '" + std::string(p.name) +
+                           "': the SPIR-V has host_result at set 0 binding 9, where nothing is declared");
+    }
+    CHECK(spirv::mismatches(effect, declared, spirv::reflect(module)) == expected);
+    for (const std::string& each : functions_without_caller(module))
+        without_use.insert("function " + each + " in " + std::string(p.name));
+    if (p.stage == stage_kind::fragment)
+        spirv::validate(spirv::compile_vertex(p));
+}
+
+/// The same of OpenGL, as far as that can be told without a driver.
+inline void check_opengl(const crease::pass& p) {
+    using namespace crease;
+    const std::vector<piece> whole = whole_program(p);
+    if (p.stage == stage_kind::geometry) {
+        spirv::detail::parse(whole, spirv::shader_stage::fragment, p.dialect, p.name);
+        return;
+    }
+    pass host = p;
+    if (p.stage == stage_kind::functions) {
+        host.stage = stage_kind::compute;
+        host.pieces = whole;
+    }
+    spirv::check_opengl(host);
+}
+
+/// Checks a program, and collects what stands in it without a use.
+inline void check_program(const crease::effect_view& effect, const crease::pass& p,
+                          std::set<std::string>& without_use) {
+    std::string whole;
+    for (const crease::piece& each : whole_program(p))
+        whole += each.text;
+    for (const std::string& each : identifiers_without_use(whole))
+        without_use.insert(each + " in " + std::string(p.name));
+    if (p.dialect == crease::dialect_kind::opengl)
+        check_opengl(p);
+    else
+        check_vulkan(effect, p, without_use);
+}
