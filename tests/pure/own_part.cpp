@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parts that crease does not know compose with those that it does, whatever their role, and what they own is there.
+// Parts that crease does not know compose with those that it does, whatever their role, and what they own is
+// there.
 #include "own_parts.hpp"
 #include "same_effect.hpp"
 
@@ -18,15 +19,19 @@ using namespace crease;
 const std::vector<const part*>& known_parts() {
     static const std::vector<const part*> all = [] {
         std::vector<const part*> both(std::begin(all_parts), std::end(all_parts));
-        std::apply([&both](const auto&... each) { (both.push_back(&std::decay_t<decltype(each)>::part_type::description), ...); },
-                   own::examples);
+        std::apply(
+            [&both](const auto&... each) {
+                (both.push_back(&std::decay_t<decltype(each)>::part_type::description), ...);
+            },
+            own::examples);
         return both;
     }();
     return all;
 }
 
 bool has_binding(const pass& each, std::string_view name, crease::access how) {
-    return std::ranges::any_of(each.bindings, [&](const binding& b) { return b.name == name && b.how == how; });
+    return std::ranges::any_of(each.bindings,
+                               [&](const binding& b) { return b.name == name && b.how == how; });
 }
 
 /// Checks that an effect has what a part owns, and that the part's GLSL finds it.
@@ -43,7 +48,8 @@ void check_owns(const effect_view& view, std::string_view name) {
     CHECK(made < reading);
     CHECK(contains(joined(reading->pieces), "crease_" + std::string(name) + "_value()"));
 
-    const auto setting = std::ranges::find_if(view.settings, [&](const effect_setting& s) { return s.part == name; });
+    const auto setting =
+        std::ranges::find_if(view.settings, [&](const effect_setting& s) { return s.part == name; });
     REQUIRE(setting != view.settings.end());
     CHECK(setting->name == "tint");
     CHECK(get(view.defaults, view.settings, std::string(name) + ".tint") == 0.5f);
@@ -80,7 +86,8 @@ TEST_CASE("what a host's own part of any role owns is in the effect") {
 }
 
 TEST_CASE("a host's own filter has its steps before the main pass, in the chain and after it") {
-    using effect = crease::effect<directions<>, single_layer, hbao_plus, bilateral<>, own::own_filter, bilateral<>>;
+    using effect =
+        crease::effect<directions<>, single_layer, hbao_plus, bilateral<>, own::own_filter, bilateral<>>;
     const std::string_view names[] = {"make_own_filter", "visibility",  "bilateral_x", "bilateral_y",
                                       "own_filter",      "bilateral_x", "bilateral_y", "count_own_filter"};
     REQUIRE(effect::passes.size() == std::size(names));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every legal composition compiles, is valid for Vulkan, has the interface that its effect declares, and nothing that it
-// does not use.
+// Every legal composition compiles, is valid for Vulkan, has the interface that its effect declares, and
+// nothing that it does not use.
 #include "pure/compositions.hpp"
 #include "text/host_program.hpp"
 #include "text/unused.hpp"
@@ -73,8 +73,9 @@ TEST_CASE("optimised modules stay valid and keep their constants") {
 }
 
 TEST_CASE("what nothing uses is found") {
-    CHECK(identifiers_without_use("const int crease_a = 1; // crease_a\nint crease_b() { return 2; }\nvoid main() { "
-                                  "crease_b(); }\n") == std::vector<std::string>{"crease_a"});
+    CHECK(identifiers_without_use(
+              "const int crease_a = 1; // crease_a\nint crease_b() { return 2; }\nvoid main() { "
+              "crease_b(); }\n") == std::vector<std::string>{"crease_a"});
     CHECK(identifiers_without_use("layout(std140) uniform crease_parameters { float x; } crease_given;\n"
                                   "float crease_x = crease_given.x;\n"
                                   "buffer crease_n_buffer { uint crease_n[]; };\n") ==

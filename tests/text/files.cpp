@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each GLSL file compiles alone: with the prototypes of its contract, what is written for the program of an effect that
-// has it, and the structs and constants of that effect, but no function of another part.
+// Each GLSL file compiles alone: with the prototypes of its contract, what is written for the program of an
+// effect that has it, and the structs and constants of that effect, but no function of another part.
 #include "pure/compositions.hpp"
 #include "pure/glsl_files.hpp"
 #include "text/host_program.hpp"
@@ -106,14 +106,15 @@ public:
                                 {file_.name, whole_},
                                 {"end", has_main ? "" : "void main() {}\n"}};
         const spirv::shader_stage stage =
-            pass_.stage == stage_kind::geometry || pass_.stage == stage_kind::fragment ? spirv::shader_stage::fragment
-                                                                                        : spirv::shader_stage::compute;
+            pass_.stage == stage_kind::geometry || pass_.stage == stage_kind::fragment
+                ? spirv::shader_stage::fragment
+                : spirv::shader_stage::compute;
         spirv::detail::parse(pieces, stage, dialect_kind::vulkan, file_.name);
     }
 
 private:
-    /// Adds a struct, constant or variable of another file after what it needs itself; and of the camera and its texels,
-    /// which no file has to state that it calls, functions too.
+    /// Adds a struct, constant or variable of another file after what it needs itself; and of the camera and
+    /// its texels, which no file has to state that it calls, functions too.
     void need(const std::string& name) {
         if (!known_.insert(name).second || declares(name))
             return;
@@ -131,14 +132,17 @@ private:
             }
     }
 
-    /// Whether the file or its contract declares a name: as a word after another word, before what follows a name.
+    /// Whether the file or its contract declares a name: as a word after another word, before what follows a
+    /// name.
     bool declares(const std::string& name) const {
         for (std::size_t at = whole_.find(name); at != std::string::npos; at = whole_.find(name, at + 1)) {
             const std::size_t end = at + name.size();
             const bool is_whole = !reading::is_word(whole_[end]) && !reading::is_word(whole_[at - 1]);
             const std::size_t line = whole_.rfind('\n', at) + 1;
-            const bool at_top = line != at && whole_[line] != ' ' && whole_[line] != '/' && whole_[line] != '#';
-            if (is_whole && at_top && whole_[at - 1] == ' ' && std::string_view("({ [;").find(whole_[end]) != std::string_view::npos &&
+            const bool at_top =
+                line != at && whole_[line] != ' ' && whole_[line] != '/' && whole_[line] != '#';
+            if (is_whole && at_top && whole_[at - 1] == ' ' &&
+                std::string_view("({ [;").find(whole_[end]) != std::string_view::npos &&
                 whole_.find_first_of("(=", line) >= at)
                 return true;
         }
@@ -156,7 +160,7 @@ private:
 
 TEST_CASE("each GLSL file alone") {
     std::set<const glsl_file*> left = all_glsl_files();
-    left.erase(&fullscreen_glsl); // a program by itself, compiled with every fragment pass
+    left.erase(&fullscreen_glsl);                    // a program by itself, compiled with every fragment pass
     std::map<const glsl_file*, std::string> missing; // why the last try is none
     std::set<std::string> tried;
     std::size_t compiled = 0;
@@ -173,7 +177,8 @@ TEST_CASE("each GLSL file alone") {
                 const file_alone alone(*file, *p, pass);
                 if (!tried.insert(std::string(file->name) + without_recipe(alone.before())).second)
                     continue;
-                // Not all of a file is for every effect that has it: some is for bent cones, some for a step alone.
+                // Not all of a file is for every effect that has it: some is for bent cones, some for a step
+                // alone.
                 try {
                     std::string names;
                     for (const std::string& each : alone.unknown())

@@ -34,13 +34,15 @@ inline std::vector<crease::piece> whole_program(const crease::pass& p) {
     const crease::piece version{"version", vulkan ? "#version 450\n" : "#version 430\n"};
     if (p.stage == crease::stage_kind::functions) {
         whole.insert(whole.begin(), {version, {"host", "layout(local_size_x = 8) in;\n"}});
-        whole.push_back({"host", "layout(std430, binding = 9) buffer host_result { float host_value; };\n"
-                                 "void main() { host_value = crease_visibility(ivec2(gl_GlobalInvocationID.xy)); }\n"});
+        whole.push_back(
+            {"host", "layout(std430, binding = 9) buffer host_result { float host_value; };\n"
+                     "void main() { host_value = crease_visibility(ivec2(gl_GlobalInvocationID.xy)); }\n"});
     } else if (p.stage == crease::stage_kind::geometry) {
         whole.insert(whole.begin(), version);
-        whole.push_back({"host", vulkan ? "layout(location = 0) in vec3 host_position;\n"
-                                          "void main() { crease_capture(host_position); }\n"
-                                        : "in vec3 host_position;\nvoid main() { crease_capture(host_position); }\n"});
+        whole.push_back(
+            {"host", vulkan ? "layout(location = 0) in vec3 host_position;\n"
+                              "void main() { crease_capture(host_position); }\n"
+                            : "in vec3 host_position;\nvoid main() { crease_capture(host_position); }\n"});
     }
     return whole;
 }
@@ -49,8 +51,9 @@ inline std::vector<crease::piece> whole_program(const crease::pass& p) {
 inline void check_vulkan(const crease::effect_view& effect, const crease::pass& p) {
     using namespace crease;
     const bool functions = p.stage == stage_kind::functions;
-    const spirv::shader_stage stage = functions || p.stage == stage_kind::compute ? spirv::shader_stage::compute
-                                                                                  : spirv::shader_stage::fragment;
+    const spirv::shader_stage stage = functions || p.stage == stage_kind::compute
+                                          ? spirv::shader_stage::compute
+                                          : spirv::shader_stage::fragment;
     const spirv::words module = spirv::compile(whole_program(p), stage, p.name);
     spirv::validate(module);
     pass declared = p;

@@ -12,7 +12,8 @@
 #include <string_view>
 #include <vector>
 
-/// Calls `action` with each identifier of a text that begins with `crease_`, comments aside, and with that before it.
+/// Calls `action` with each identifier of a text that begins with `crease_`, comments aside, and with that
+/// before it.
 template <class Action>
 void for_each_identifier(std::string_view text, Action action) {
     std::string_view before;
@@ -30,8 +31,8 @@ void for_each_identifier(std::string_view text, Action action) {
     }
 }
 
-/// The identifiers that begin with `crease_` and stand only once in a program: what is declared must be used. The names of
-/// blocks do not count, which only a host uses.
+/// The identifiers that begin with `crease_` and stand only once in a program: what is declared must be used.
+/// The names of blocks do not count, which only a host uses.
 inline std::vector<std::string> identifiers_without_use(std::string_view text) {
     std::map<std::string, int, std::less<>> counts;
     for_each_identifier(text, [&counts](std::string_view word, std::string_view before) {
@@ -45,8 +46,8 @@ inline std::vector<std::string> identifiers_without_use(std::string_view text) {
     return once;
 }
 
-/// The definitions of a program that nothing in it calls or names, directly or by others, from `main`, the interface and
-/// what a host writes around it. The module does not tell, as glslang drops what is not called.
+/// The definitions of a program that nothing in it calls or names, directly or by others, from `main`, the
+/// interface and what a host writes around it. The module does not tell, as glslang drops what is not called.
 /// @param whole  each piece one definition, or what is not crease's
 inline std::vector<std::string> definitions_without_caller(std::span<const crease::piece> whole) {
     std::map<crease::symbol, std::set<crease::symbol>> references;

@@ -100,8 +100,8 @@ TEST_CASE("a symbol of two texts is that of both after each other") {
 }
 
 TEST_CASE("structs, constants, arrays, shared variables and functions are definitions, and so is main") {
-    const char* names[] = {"crease_estimate", "crease_most", "crease_offsets", "crease_sums",
-                           "crease_one",      "crease_two",  "main"};
+    const char* names[] = {"crease_estimate", "crease_most", "crease_offsets", "crease_sums", "crease_one",
+                           "crease_two",      "main"};
     for (std::size_t i = 0; i < 7; ++i) {
         CAPTURE(names[i]);
         CHECK(table.definitions[i].name == symbol_of(names[i]));
@@ -210,9 +210,10 @@ TEST_CASE("all identifiers of crease's GLSL have different symbols") {
             for (const char* before : {"crease_", "crease_load_", "crease_size_of_", "crease_encode_"})
                 learn(before + std::string(r.name));
     }
-    for (const char* name : {"crease_given", "crease_radius", "crease_frame", "crease_view_index", "crease_divisor",
-                             "crease_input_divisor", "crease_workgroup_columns", "crease_unroll", "crease_write",
-                             "crease_build_size", "crease_load_input", "crease_size_of_input", "main"})
+    for (const char* name :
+         {"crease_given", "crease_radius", "crease_frame", "crease_view_index", "crease_divisor",
+          "crease_input_divisor", "crease_workgroup_columns", "crease_unroll", "crease_write",
+          "crease_build_size", "crease_load_input", "crease_size_of_input", "main"})
         learn(name);
     CHECK(known.size() > 300);
 }

@@ -5,7 +5,8 @@
 
 using namespace crease;
 
-TEST_CASE("the format of visibility is that of the part that offers one, and of an output without visibility none") {
+TEST_CASE("the format of visibility is that of the part that offers one, and of an output without visibility "
+          "none") {
     CHECK(offers<rgba8, four_bytes>);
     CHECK(offers<r32f, real_number>);
     CHECK_FALSE(offers<r8, four_bytes>);

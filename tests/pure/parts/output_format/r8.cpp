@@ -18,7 +18,8 @@ static_assert(!recipe("directions/single_layer/hbao/r8/rgba8"));
 }
 
 TEST_CASE("r8 is the format where none is named") {
-    CHECK(contains(formatted::source<2>(), "layout(r8, set = 0, binding = 2) uniform writeonly image2D crease_output;\n"));
+    CHECK(contains(formatted::source<2>(),
+                   "layout(r8, set = 0, binding = 2) uniform writeonly image2D crease_output;\n"));
     CHECK(contains(formatted::source<0>(), "layout(r32ui, "));
     using unnamed = effect<directions<>, single_layer, hbao, bilateral<>>;
     CHECK(without_recipe(formatted::source<2>()) == without_recipe(unnamed::source<2>()));

@@ -18,7 +18,8 @@ static_assert(!recipe("directions/single_layer/hbao/rgba8/r8"));
 }
 
 TEST_CASE("rgba8 is the format of visibility, and of nothing that passes hand on") {
-    CHECK(contains(formatted::source<2>(), "layout(rgba8, set = 0, binding = 2) uniform writeonly image2D crease_output;\n"));
+    CHECK(contains(formatted::source<2>(),
+                   "layout(rgba8, set = 0, binding = 2) uniform writeonly image2D crease_output;\n"));
     CHECK(contains(formatted::source<0>(), "layout(r32ui, "));
     using bent = effect<directions<>, single_layer, hbao, bent_cone, rgba8>;
     CHECK(bent::resources.back().name == "bent_cone");

@@ -25,7 +25,8 @@ TEST_CASE("linearised_depth stores linear depth first, from which all other pass
 }
 
 TEST_CASE("images that are loaded and stored share the units of OpenGL") {
-    using effect = crease::effect<directions<>, single_layer, hbao, linearised_depth, image_load, opengl_glsl>;
+    using effect =
+        crease::effect<directions<>, single_layer, hbao, linearised_depth, image_load, opengl_glsl>;
     CHECK(contains(effect::source<1>(), "layout(r32f, binding = 0) uniform readonly image2D"));
     CHECK(contains(effect::source<1>(), "layout(r8, binding = 1) uniform writeonly image2D"));
 }
