@@ -65,7 +65,7 @@ inline std::vector<std::string> definitions_without_caller(std::span<const creas
             else
                 references[name].insert(crease::symbol_of(word));
         });
-        if (!is_root)
+        if (!is_root && name != 0)
             texts[name] = each.text;
     }
     while (!next.empty()) {
