@@ -63,6 +63,7 @@ parameters numbered() {
 TEST_CASE("a setting is named by itself, or with its part") {
     CHECK(settings[0].is("bias"));
     CHECK(settings[0].is("near.bias"));
+    CHECK_FALSE(settings[0].is("side.bias")); // another part of a name as long
     for (const char* other : {"", "near", "near.", ".bias", "bias.near", "far.bias", "near_bias", "near.bias2", "xnear.bias"}) {
         CAPTURE(other);
         CHECK_FALSE(settings[0].is(other));
