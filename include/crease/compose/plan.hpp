@@ -89,6 +89,8 @@ constexpr void add_resources(plan& p, const choice& c, unsigned view_divisor) {
         if (own.shape)
             own.shape(own, {p.parts, c, p.views});
         own.shape = nullptr;
+        if (p.index_of(own.name, 0) >= 0)
+            p.refused = {rules::resource_once, c.what->name, own.name};
         p.resources.add(own);
         for (unsigned v = 1; v < p.views && !own.further_names.empty(); ++v) {
             resource further = own;

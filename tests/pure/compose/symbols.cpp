@@ -144,6 +144,21 @@ TEST_CASE("references are the identifiers of crease in a definition, each once, 
     CHECK_FALSE(refers(table, 0, "crease_unknown"));
 }
 
+TEST_CASE("several definitions may stand in a line") {
+    CHECK(names_in("const int crease_a = 1; const int crease_b = 2;\nint crease_c() { return crease_b; } // "
+                   "both\n") == symbols({"crease_a", "crease_b", "crease_c"}));
+}
+
+TEST_CASE("a prototype is no definition, nor is what stands in a comment of several lines") {
+    CHECK(names_in("float crease_a(int i);\n/* float crease_b() { return 1.0; }\n */\nfloat crease_c() { "
+                   "return 1.0; }\n") == symbols({"crease_c"}));
+}
+
+TEST_CASE("the line after a comment of several lines is told") {
+    constexpr glsl_file file{"host/lines.glsl", "/* a\nb */\nint crease_a;\nint crease_b;\n"};
+    CHECK(read_symbols(file).definitions[1].line == 3);
+}
+
 TEST_CASE("a name must begin with crease_ to be a definition") {
     CHECK(names_in("float creased() { return 1.0; }\n").empty());
     CHECK(names_in("float mycrease_x() { return 1.0; }\nfloat crease_y() { return 1.0; }\n") ==
