@@ -9,6 +9,13 @@ endfunction()
 
 function(append_glsl name)
     file(READ ${ROOT}/templates/${name} text)
+    # The line of the fence in its own file, of which errors speak.
+    string(FIND "${text}" "__LINE__, R\"glsl(" fence)
+    string(SUBSTRING "${text}" 0 ${fence} before)
+    string(REGEX MATCHALL "\n" lines "${before}")
+    list(LENGTH lines line)
+    math(EXPR line "${line} + 1")
+    string(REPLACE "__LINE__, R\"glsl(" "${line}, R\"glsl(" text "${text}")
     append("${text}")
 endfunction()
 

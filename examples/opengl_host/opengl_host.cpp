@@ -102,9 +102,6 @@ void run(const crease::pass& pass, const std::vector<GLuint>& textures, GLuint p
         } else if (binding.how == crease::access::sample) {
             glActiveTexture(GL_TEXTURE0 + binding.slot);
             glBindTexture(GL_TEXTURE_2D, textures[binding.resource]);
-        } else if (binding.how == crease::access::load) {
-            glBindImageTexture(binding.slot, textures[binding.resource], 0, GL_FALSE, 0, GL_READ_ONLY,
-                               format_of(ao::resources[binding.resource].texels));
         } else {
             glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
                                    textures[binding.resource], 0);

@@ -61,11 +61,12 @@ TEST_CASE("bench: as text it says once what it adds to recipes, and nothing of w
         "bench built-in --width 16 --height 9 --rays 1 --repeats 1 --cameras overview --recipes ";
     const std::string hbao = "directions:2x2/single_layer/hbao/bilateral";
     const std::string text = expect_success(small + hbao + " " + hbao + "@strength=0");
-    const std::string sentence =
-        "added to recipes as suits the device, where they name none of the kind: /image_load, /compute_columns\n";
+    const std::string sentence = "added to recipes as suits the device, where they name none of the kind: "
+                                 "/image_load, /compute_columns\n";
     const std::size_t first = text.find(sentence);
     CHECK((first != std::string::npos) == (text.find("llvmpipe") != std::string::npos));
     CHECK((first == std::string::npos || text.find("added to recipes", first + 1) == std::string::npos));
     CHECK(text.find("\n" + hbao + " ") != std::string::npos); // a row is named as it was asked for
-    CHECK(expect_success(small + hbao + "/texel_fetch/compute").find("added to recipes") == std::string::npos);
+    CHECK(expect_success(small + hbao + "/texel_fetch/compute").find("added to recipes") ==
+          std::string::npos);
 }

@@ -128,3 +128,23 @@ TEST_CASE("render: a floor before a wall is as dark as a volume behind it, and b
     for (std::size_t i = 0; i < cone_picture.size(); ++i)
         CHECK(std::abs(cone_picture[i] - cone.texels[i] * 2 / std::numbers::pi * 255) <= 0.51);
 }
+
+TEST_CASE("render: captures have their times apart from passes, and the recipe says what kept the layers") {
+    const render_files corner("built-in --width 64 --height 36",
+                              "--recipe directions:4x4/stochastic_layers:4/hbao --set opacity=0.25 "
+                              "--set strength=1.5");
+    const nlohmann::json meta = json_in(corner.folder / "out/meta.json");
+    const std::string recipe = meta.at("recipe");
+    CHECK(recipe.starts_with("directions:4x4x2/stochastic_layers:4/hbao/"));
+    const bool is_kept = recipe.find("/centred_samples:0x0x0") != std::string::npos ||
+                         recipe.find("/multisampled:0x0x0") != std::string::npos ||
+                         recipe.find("/atomic_minimum:0x0x0") != std::string::npos;
+    CHECK(is_kept);
+    CHECK(meta.at("settings").at("opacity") == 0.25);
+    CHECK(meta["settings"].at("strength") == 1.5);
+    REQUIRE(meta.at("captures").size() == 1);
+    CHECK(meta["captures"][0].at("name") == "capture_layers");
+    REQUIRE(meta.at("passes").size() == 2);
+    CHECK(meta["passes"][0].at("name") == "pack_layers");
+    CHECK(meta["passes"][1].at("name") == "visibility");
+}

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -68,6 +70,17 @@ TEST_CASE("the block has each number where the page says") {
               (effect.settings[i].name == "strength" ? 1.2f : effect.settings[i].fallback));
     CHECK(bytes.size() % 16 == 0);
     CHECK(bytes.size() - (rest + 8 + 4 * effect.settings.size()) < 16);
+}
+
+TEST_CASE("the page has a row for each format that passes fill") {
+    std::ifstream file(CREASE_PAGES "/docs/host.md");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    for (const crease::format_facts& each : crease::facts_of_formats)
+        if (each.name != "none") {
+            const std::string row = "\n| `" + std::string(each.name) + "` | `VK_FORMAT_";
+            CAPTURE(row);
+            CHECK(page.find(row) != std::string::npos);
+        }
 }
 
 TEST_CASE("a left-handed projection gives the view of the right-handed one") {

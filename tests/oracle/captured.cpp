@@ -38,6 +38,14 @@ struct transforms {
     glm::vec4 moved;
 };
 
+/// The effect without the passes after one: a driver takes longer to compile them than to draw.
+crease::effect_view up_to(std::string_view last, crease::effect_view effect) {
+    for (std::size_t i = 0; i < effect.passes.size(); ++i)
+        if (effect.passes[i].name == last)
+            effect.passes = {effect.passes.data(), i + 1};
+    return effect;
+}
+
 bool is_reversed(lens kind) {
     return kind == lens::reversed || kind == lens::infinite;
 }
@@ -97,11 +105,11 @@ glm::mat4 clip_from_view(lens kind, double aspect) {
 }
 
 layer_capture::layer_capture(const std::string& parts, unsigned samples, unsigned width, unsigned height,
-                             lens seen_by)
+                             lens seen_by, std::string_view last)
     : projection_(clip_from_view(seen_by, static_cast<double>(width) / height)),
       composed_(compose("directions:1x1/stochastic_layers:" + std::to_string(samples) + "/hbao/" + parts +
                         (seen_by == lens::orthographic ? "/orthographic" : ""))),
-      runner_(device(), *composed_, width, height),
+      runner_(device(), up_to(last, *composed_), width, height),
       how_(composed_->view().defaults), host_{.vertex = vertex,
                                               .fragment = fragment,
                                               .push_constant_bytes = sizeof(transforms),

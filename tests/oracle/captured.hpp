@@ -40,8 +40,9 @@ struct capture_settings {
 class layer_capture {
 public:
     /// @param parts  the layer storage and coverage, e.g. "atomic_minimum/stratified"
+    /// @param last   the last pass of the effect that runs
     layer_capture(const std::string& parts, unsigned samples, unsigned width, unsigned height,
-                  lens seen_by = lens::standard);
+                  lens seen_by = lens::standard, std::string_view last = "capture_layers");
 
     void draw(const triangles& scene, const capture_settings& how);
     crease::vulkan::runner& runner() { return runner_; }

@@ -95,7 +95,8 @@ TEST_CASE(
             CAPTURE(static_cast<int>(kind));
             CAPTURE(samples);
             const oracle::picture p = seen_by(kind);
-            oracle::layer_capture capture("multisampled/stratified", samples, width, height, kind);
+            oracle::layer_capture capture("multisampled/stratified", samples, width, height, kind,
+                                          "pack_layers");
             oracle::triangles scene = slanted; // first, so that it is the depth test that keeps it
             for (glm::vec3 corner : oracle::wall(wall_depth))
                 scene.push_back(corner);
@@ -135,7 +136,7 @@ TEST_CASE("multisampled: where nothing is drawn no sample keeps anything") {
         return;
     for (lens kind : {lens::standard, lens::reversed}) {
         const oracle::picture p = seen_by(kind);
-        oracle::layer_capture capture("multisampled/stratified", 4, width, height, kind);
+        oracle::layer_capture capture("multisampled/stratified", 4, width, height, kind, "pack_layers");
         capture.draw(slanted, {.opacity = 1});
         const auto layers = packed(capture);
         for (int y = 0; y < height; ++y)
@@ -150,7 +151,7 @@ TEST_CASE("multisampled: samples keep fragments by the coverage, with the depth 
         return;
     for (lens kind : {lens::standard, lens::reversed}) {
         CAPTURE(static_cast<int>(kind));
-        oracle::layer_capture capture("multisampled/simple_hash", 4, width, height, kind);
+        oracle::layer_capture capture("multisampled/simple_hash", 4, width, height, kind, "pack_layers");
         oracle::triangles scene = oracle::wall(4);
         for (glm::vec3 corner : oracle::wall(2))
             scene.push_back(corner);

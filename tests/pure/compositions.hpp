@@ -70,11 +70,12 @@ inline std::vector<std::string> every_recipe() {
     const std::vector<std::string> captures =
         times(legal(times(times(three, names_of(layer_storage)), names_of(coverage))), names_of(projection));
     const std::vector<std::string> scans = times(legal(times(three, names_of(scan))), names_of(stage));
-    const std::vector<std::string> reads = times(legal(times(times(three, names_of(image_reads)), names_of(depth_encoding))),
-                                                 optional(filter));
-    for (const auto& each :
-         {one_by_one(more, {projection, depth_encoding, normals, noise, receivers, image_reads, stage, dialect}),
-          times(captures, names_of(dialect)), times(scans, names_of(dialect)), times(reads, names_of(dialect))})
+    const std::vector<std::string> reads =
+        times(legal(times(times(three, names_of(image_reads)), names_of(depth_encoding))), optional(filter));
+    for (const auto& each : {one_by_one(more, {projection, depth_encoding, normals, noise, receivers,
+                                               output_format, image_reads, stage, dialect}),
+                             times(captures, names_of(dialect)), times(scans, names_of(dialect)),
+                             times(reads, names_of(dialect))})
         all.insert(all.end(), each.begin(), each.end());
     return legal(std::move(all));
 }

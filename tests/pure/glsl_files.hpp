@@ -5,7 +5,8 @@
 
 #include <set>
 
-/// Every GLSL file that a program may be made of: those of all parts and of their steps, and those of the core.
+/// Every GLSL file that a program may be made of: those of all parts and of their steps, and those of the
+/// core.
 inline std::set<const crease::glsl_file*> all_glsl_files() {
     std::set<const crease::glsl_file*> all;
     const auto add = [&all](crease::array_view<const crease::glsl_file* const> files) {
@@ -17,7 +18,7 @@ inline std::set<const crease::glsl_file*> all_glsl_files() {
             add(step.files);
     }
     add(crease::core_files);
-    for (const crease::glsl_file* file : {&crease::columns_glsl, &crease::build_glsl, &crease::build_rows_glsl,
+    for (const crease::glsl_file* file : {&crease::build_glsl, &crease::build_rows_glsl,
                                           &crease::build_columns_glsl, &crease::fullscreen_glsl})
         all.insert(file);
     return all;

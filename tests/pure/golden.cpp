@@ -36,7 +36,7 @@ std::string content_of(const std::string& path) {
 
 TEST_CASE("programs are as they were") {
     for (const golden& each : programs) {
-        CAPTURE(each.file);
+        CAPTURE(std::string(each.file));
         const crease::composition composed{crease::recipe(std::string_view(each.recipe))};
         REQUIRE(each.pass < composed.view().passes.size());
         const std::string text = joined(composed.view().passes[each.pass].pieces);

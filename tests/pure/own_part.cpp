@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parts that crease does not know compose with those that it does, whatever their role, and what they own is there.
+// Parts that crease does not know compose with those that it does, whatever their role, and what they own is
+// there.
 #include "own_parts.hpp"
 #include "same_effect.hpp"
 
@@ -18,15 +19,19 @@ using namespace crease;
 const std::vector<const part*>& known_parts() {
     static const std::vector<const part*> all = [] {
         std::vector<const part*> both(std::begin(all_parts), std::end(all_parts));
-        std::apply([&both](const auto&... each) { (both.push_back(&std::decay_t<decltype(each)>::part_type::description), ...); },
-                   own::examples);
+        std::apply(
+            [&both](const auto&... each) {
+                (both.push_back(&std::decay_t<decltype(each)>::part_type::description), ...);
+            },
+            own::examples);
         return both;
     }();
     return all;
 }
 
 bool has_binding(const pass& each, std::string_view name, crease::access how) {
-    return std::ranges::any_of(each.bindings, [&](const binding& b) { return b.name == name && b.how == how; });
+    return std::ranges::any_of(each.bindings,
+                               [&](const binding& b) { return b.name == name && b.how == how; });
 }
 
 /// Checks that an effect has what a part owns, and that the part's GLSL finds it.
@@ -43,7 +48,8 @@ void check_owns(const effect_view& view, std::string_view name) {
     CHECK(made < reading);
     CHECK(contains(joined(reading->pieces), "crease_" + std::string(name) + "_value()"));
 
-    const auto setting = std::ranges::find_if(view.settings, [&](const effect_setting& s) { return s.part == name; });
+    const auto setting =
+        std::ranges::find_if(view.settings, [&](const effect_setting& s) { return s.part == name; });
     REQUIRE(setting != view.settings.end());
     CHECK(setting->name == "tint");
     CHECK(get(view.defaults, view.settings, std::string(name) + ".tint") == 0.5f);
@@ -80,7 +86,8 @@ TEST_CASE("what a host's own part of any role owns is in the effect") {
 }
 
 TEST_CASE("a host's own filter has its steps before the main pass, in the chain and after it") {
-    using effect = crease::effect<directions<>, single_layer, hbao_plus, bilateral<>, own::own_filter, bilateral<>>;
+    using effect =
+        crease::effect<directions<>, single_layer, hbao_plus, bilateral<>, own::own_filter, bilateral<>>;
     const std::string_view names[] = {"make_own_filter", "visibility",  "bilateral_x", "bilateral_y",
                                       "own_filter",      "bilateral_x", "bilateral_y", "count_own_filter"};
     REQUIRE(effect::passes.size() == std::size(names));
@@ -90,7 +97,7 @@ TEST_CASE("a host's own filter has its steps before the main pass, in the chain 
     CHECK(has_binding(filtering, "input", crease::access::sample));
     CHECK(has_binding(filtering, "own_filter_image", crease::access::sample));
     CHECK(has_binding(filtering, "output", crease::access::store));
-    CHECK(contains(effect::source<4>, "const int crease_own_filter_twice = 2;\n"));
+    CHECK(contains(effect::source<4>(), "const int crease_own_filter_twice = 2;\n"));
     for (std::size_t i : {1u, 2u, 3u, 5u, 6u})
         CHECK_FALSE(has_binding(effect::passes[i], "own_filter_image", crease::access::sample));
     const auto count = std::ranges::find(effect::resources, "own_count", &resource::name);
@@ -112,7 +119,7 @@ TEST_CASE("two filters of one kind own one image and one setting") {
 TEST_CASE("a host's own number is a constant of the program") {
     using fixed = effect<poisson_disk<>, single_layer, own::own_estimator, bilateral<>>;
     static_assert(contains(fixed::passes[1].pieces[0].text, "const int crease_own_estimator_most = 20;\n"));
-    CHECK(contains(fixed::source<1>, "float(crease_own_estimator_most)"));
+    CHECK(contains(fixed::source<1>(), "float(crease_own_estimator_most)"));
 }
 
 TEST_CASE("a host's own estimator is refused beside a sampler that does not fit") {

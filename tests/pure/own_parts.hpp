@@ -12,24 +12,25 @@ namespace own {
 
 using namespace crease;
 
-// What each part owns, by its name: the image NAME_image, the step make_NAME that fills it, and the setting tint.
+// What each part owns, by its name: the image NAME_image, the step make_NAME that fills it, and the setting
+// tint.
 #define OWN_THINGS(name_)                                                                                    \
     namespace name_##_owns {                                                                                 \
-    inline constexpr glsl_file make_glsl{"own/make_" #name_ ".glsl",                                         \
-                                         "void crease_build(ivec2 texel) {\n"                                \
-                                         "    imageStore(crease_" #name_ "_image, texel, vec4(crease_" #name_ \
-                                         "_tint));\n}\n"};                                                   \
-    inline constexpr const glsl_file* making[] = {&make_glsl};                                               \
-    inline constexpr std::string_view filled[] = {#name_ "_image"};                                          \
-    inline constexpr resource image{.name = #name_ "_image",                                                 \
-                                    .texels = format::r32_float,                                             \
-                                    .life = lifetime::transient,                                             \
-                                    .read = crease::access::load};                                                   \
-    inline constexpr step make{                                                                              \
-        .name = "make_" #name_, .files = making, .kind = step_kind::texels, .writes = filled};               \
-    inline constexpr resource images[] = {image};                                                            \
-    inline constexpr step steps[] = {make};                                                                  \
-    inline constexpr setting tint[] = {{"tint", 0.5f, 0, 1, "what the step makes"}};                         \
+        inline constexpr glsl_file make_glsl{"own/make_" #name_ ".glsl",                                     \
+                                             "void crease_build(ivec2 texel) {\n"                            \
+                                             "    imageStore(crease_" #name_                                 \
+                                             "_image, texel, vec4(crease_" #name_ "_tint));\n}\n"};          \
+        inline constexpr const glsl_file* making[] = {&make_glsl};                                           \
+        inline constexpr std::string_view filled[] = {#name_ "_image"};                                      \
+        inline constexpr resource image{.name = #name_ "_image",                                             \
+                                        .texels = format::r32_float,                                         \
+                                        .life = lifetime::transient,                                         \
+                                        .read = crease::access::load};                                       \
+        inline constexpr step make{                                                                          \
+            .name = "make_" #name_, .files = making, .kind = step_kind::texels, .writes = filled};           \
+        inline constexpr resource images[] = {image};                                                        \
+        inline constexpr step steps[] = {make};                                                              \
+        inline constexpr setting tint[] = {{"tint", 0.5f, 0, 1, "what the step makes"}};                     \
     }
 
 // What a part's GLSL reads of it.
@@ -68,8 +69,8 @@ struct own_encoding {
 float crease_depth_at(vec2 texel) { return texelFetch(crease_depth, ivec2(texel), 0).x * crease_own_encoding_value(); }
 )"};
     static constexpr const glsl_file* files[] = {&glsl};
-    static constexpr resource images[] = {{.name = "depth", .texels = format::r32_float, .size = {.guarded = true}},
-                                          own_encoding_owns::image};
+    static constexpr resource images[] = {
+        {.name = "depth", .texels = format::r32_float, .size = {.guarded = true}}, own_encoding_owns::image};
     static constexpr part description{.kind = role::depth_encoding,
                                       .name = "own_encoding",
                                       .summary = "depth in other units",
@@ -310,7 +311,8 @@ float crease_estimate_occlusion(crease_estimate estimate) {
 )"};
     static constexpr const glsl_file* files[] = {&glsl};
     static constexpr number takes[] = {{"most", 1, 99, 10, "taps that darken fully"}};
-    static constexpr setting reads[] = {own_estimator_owns::tint[0], strength_setting(1), exponent_setting(1)};
+    static constexpr setting reads[] = {own_estimator_owns::tint[0], strength_setting(1),
+                                        exponent_setting(1)};
     static constexpr part description{.kind = role::estimator,
                                       .name = "own_estimator",
                                       .summary = "counts what is near",
@@ -380,11 +382,13 @@ vec4 crease_encode_between(crease_result result) { return vec4(result.visibility
 crease_result crease_decode(vec4 texel) { return crease_result(texel.x); }
 )"};
     static constexpr const glsl_file* files[] = {&glsl};
-    static constexpr resource images[] = {
-        between_image(format::r32_float),
-        visibility_image,
-        {.name = "own_shadow", .texels = format::r32_float, .life = lifetime::output, .read = crease::access::load},
-        own_output_owns::image};
+    static constexpr resource images[] = {between_image(format::r32_float),
+                                          visibility_image,
+                                          {.name = "own_shadow",
+                                           .texels = format::r32_float,
+                                           .life = lifetime::output,
+                                           .read = crease::access::load},
+                                          own_output_owns::image};
     static constexpr part description{.kind = role::output,
                                       .name = "own_output",
                                       .summary = "visibility, and what is left of 1",
@@ -393,6 +397,23 @@ crease_result crease_decode(vec4 texel) { return crease_result(texel.x); }
                                       .settings = own_output_owns::tint,
                                       .resources = images,
                                       .steps = own_output_owns::steps};
+};
+
+OWN_THINGS(own_format)
+struct own_format {
+    static constexpr glsl_file glsl{"own/format.glsl", OWN_VALUE(own_format) R"(
+float crease_visibility_of(float occlusion) { return 1.0 - occlusion * crease_own_format_value(); }
+)"};
+    static constexpr const glsl_file* files[] = {&glsl};
+    static constexpr part description{.kind = role::output_format,
+                                      .name = "own_format",
+                                      .summary = "a number, and a default of its own",
+                                      .source = "",
+                                      .files = files,
+                                      .settings = own_format_owns::tint,
+                                      .resources = own_format_owns::images,
+                                      .steps = own_format_owns::steps,
+                                      .offers = traits<real_number>::list};
 };
 
 OWN_THINGS(own_filter)
@@ -416,16 +437,15 @@ void crease_build(ivec2 texel) { imageStore(crease_own_count, texel, vec4(crease
                                            .texels = format::r32_float,
                                            .life = lifetime::report,
                                            .size = {.fixed_width = 1, .fixed_height = 1}}};
-    static constexpr step steps[] = {
-        {.name = "count_own_filter",
-         .files = counting,
-         .kind = step_kind::texels,
-         .after = true,
-         .writes = counted,
-         .group_width = 8,
-         .group_height = 4},
-        {.name = "own_filter", .files = filtering, .constants = twice},
-        own_filter_owns::make};
+    static constexpr step steps[] = {{.name = "count_own_filter",
+                                      .files = counting,
+                                      .kind = step_kind::texels,
+                                      .after = true,
+                                      .writes = counted,
+                                      .group_width = 8,
+                                      .group_height = 4},
+                                     {.name = "own_filter", .files = filtering, .constants = twice},
+                                     own_filter_owns::make};
     static constexpr part description{.kind = role::filter,
                                       .name = "own_filter",
                                       .summary = "a factor",
@@ -522,7 +542,8 @@ inline constexpr std::tuple examples{
     example<own_scan, effect<sample_box, summed_area<>, mean_height<>, own_scan>>{
         "sample_box/summed_area/mean_height/own_scan"},
     example<own_source, effect<directions<>, own_source, hbao_plus>>{"directions/own_source/hbao_plus"},
-    example<own_sampler, effect<own_sampler, single_layer, hbao_plus>>{"own_sampler:6/single_layer/hbao_plus"},
+    example<own_sampler, effect<own_sampler, single_layer, hbao_plus>>{
+        "own_sampler:6/single_layer/hbao_plus"},
     example<own_estimator, effect<poisson_disk<>, single_layer, own_estimator>>{
         "poisson_disk/single_layer/own_estimator:20"},
     example<own_traversal, effect<directions<>, single_layer, hbao_plus, own_traversal>>{
@@ -531,6 +552,8 @@ inline constexpr std::tuple examples{
         "directions/single_layer/hbao_plus/own_receivers"},
     example<own_output, effect<directions<>, single_layer, hbao_plus, own_output>>{
         "directions/single_layer/hbao_plus/own_output"},
+    example<own_format, effect<directions<>, single_layer, hbao_plus, own_format>>{
+        "directions/single_layer/hbao_plus/own_format"},
     example<own_filter, effect<directions<>, single_layer, hbao_plus, own_filter>>{
         "directions/single_layer/hbao_plus/own_filter"},
     example<own_reads, effect<directions<>, single_layer, hbao_plus, own_reads>>{
@@ -544,9 +567,10 @@ inline constexpr std::tuple examples{
 inline constexpr std::tuple mixtures{
     example<own_filter, effect<own_sampler, own_source, own_estimator, own_filter, own_output, own_noise>>{
         "own_sampler:6/own_source/own_estimator:20/own_filter/own_output/own_noise"},
-    example<own_storage, effect<directions<>, stochastic_layers<>, hbao_plus, own_storage, own_coverage, own_normals,
-                                own_projection, bilateral<>, upsample<>>>{
-        "directions/stochastic_layers/hbao_plus/own_storage/own_coverage/own_normals/own_projection/bilateral/"
+    example<own_storage, effect<directions<>, stochastic_layers<>, hbao_plus, own_storage, own_coverage,
+                                own_normals, own_projection, bilateral<>, upsample<>>>{
+        "directions/stochastic_layers/hbao_plus/own_storage/own_coverage/own_normals/own_projection/"
+        "bilateral/"
         "upsample"}};
 
 /// Calls `action` with each.

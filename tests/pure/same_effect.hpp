@@ -30,8 +30,7 @@ inline bool same(const resource& a, const resource& b) {
     return a.name == b.name && a.kind == b.kind && a.texels == b.texels && a.element == b.element &&
            a.life == b.life && a.size == b.size && a.layers == b.layers && a.samples == b.samples &&
            a.arrayed == b.arrayed && a.centred == b.centred && a.read == b.read &&
-           a.previous_of == b.previous_of && a.cleared == b.cleared && a.clear == b.clear &&
-           a.fill == b.fill;
+           a.previous_of == b.previous_of && a.cleared == b.cleared && a.clear == b.clear && a.fill == b.fill;
 }
 
 inline bool same(const effect_setting& a, const effect_setting& b) {
@@ -64,7 +63,7 @@ inline void check_equal(const pass& fixed, const pass& chosen) {
 
 template <class Effect, std::size_t... Pass>
 void check_sources(std::index_sequence<Pass...>) {
-    const std::string_view sources[] = {Effect::template source<Pass>...};
+    const std::string_view sources[] = {Effect::template source<Pass>()...};
     for (std::size_t i = 0; i < sizeof...(Pass); ++i) {
         CHECK(joined(Effect::passes[i].pieces) == sources[i]);
         CHECK(sources[i].data()[sources[i].size()] == '\0');

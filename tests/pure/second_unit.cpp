@@ -9,5 +9,5 @@ const void* parts_of_second_unit() {
 }
 
 std::string_view source_of_second_unit() {
-    return crease::effect<crease::directions<>, crease::single_layer, crease::hbao>::source<0>;
+    return crease::effect<crease::directions<>, crease::single_layer, crease::hbao>::source<0>();
 }

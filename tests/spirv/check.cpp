@@ -297,10 +297,10 @@ TEST_CASE("a compute pass without the constants of its workgroup") {
 }
 
 TEST_CASE("a block that is not that of the effect's settings") {
-    CHECK(
-        every::with("float spread_bias;\n    float spread_slope;", "float spread_slope;\n    float spread_bias;") ==
-        sentences{"pass 'every': the offset of spread_bias is declared as 168, but the SPIR-V has 172",
-                  "pass 'every': the offset of spread_slope is declared as 172, but the SPIR-V has 168"});
+    CHECK(every::with("float spread_bias;\n    float spread_slope;",
+                      "float spread_slope;\n    float spread_bias;") ==
+          sentences{"pass 'every': the offset of spread_bias is declared as 168, but the SPIR-V has 172",
+                    "pass 'every': the offset of spread_slope is declared as 172, but the SPIR-V has 168"});
     CHECK(every::with("float strength;", "float scale_strength;") ==
           sentences{"pass 'every': the block of parameters in the SPIR-V lacks strength",
                     "pass 'every': the effect's parameters lack scale_strength, which is in the SPIR-V"});
@@ -308,13 +308,14 @@ TEST_CASE("a block that is not that of the effect's settings") {
         every::with("float strength;", "float strength[2];") ==
         sentences{"pass 'every': the size of the block of parameters is declared as 192, but the SPIR-V has "
                   "208"});
-    CHECK(every::with("uint frame;", "uint frame[2];") ==
-          sentences{"pass 'every': the offset of frame is declared as 164, but the SPIR-V has 176",
-                    "pass 'every': the offset of spread_bias is declared as 168, but the SPIR-V has 208",
-                    "pass 'every': the offset of spread_slope is declared as 172, but the SPIR-V has 212",
-                    "pass 'every': the offset of strength is declared as 176, but the SPIR-V has 216",
-                    "pass 'every': the size of the block of parameters is declared as 192, but the SPIR-V has "
-                    "224"});
+    CHECK(
+        every::with("uint frame;", "uint frame[2];") ==
+        sentences{"pass 'every': the offset of frame is declared as 164, but the SPIR-V has 176",
+                  "pass 'every': the offset of spread_bias is declared as 168, but the SPIR-V has 208",
+                  "pass 'every': the offset of spread_slope is declared as 172, but the SPIR-V has 212",
+                  "pass 'every': the offset of strength is declared as 176, but the SPIR-V has 216",
+                  "pass 'every': the size of the block of parameters is declared as 192, but the SPIR-V has "
+                  "224"});
 }
 
 TEST_CASE("a block of other cameras than the effect has") {
@@ -329,12 +330,15 @@ TEST_CASE("a block of other cameras than the effect has") {
     const auto reflected = [](std::span<const piece> text) {
         return spirv::reflect(spirv::compile(text, spirv::shader_stage::compute));
     };
-    CHECK(spirv::mismatches(one, every::declared, reflected(pieces)) ==
-          sentences{"pass 'every': the SPIR-V has nothing at set 0 binding 0, where crease_parameters is declared"});
+    CHECK(
+        spirv::mismatches(one, every::declared, reflected(pieces)) ==
+        sentences{
+            "pass 'every': the SPIR-V has nothing at set 0 binding 0, where crease_parameters is declared"});
     const sentences two = spirv::mismatches(one, every::declared, reflected(block_of_two));
     REQUIRE(!two.empty());
     CHECK(two[0] == "pass 'every': the offset of radius is declared as 48, but the SPIR-V has 160");
-    CHECK(std::ranges::find(two, "pass 'every': the effect's parameters lack from_first, which is in the SPIR-V") !=
+    CHECK(std::ranges::find(
+              two, "pass 'every': the effect's parameters lack from_first, which is in the SPIR-V") !=
           two.end());
 }
 
@@ -349,8 +353,9 @@ TEST_CASE("another access to a storage buffer, another kind in its place, or ano
     CHECK(every::with("layout(std430, set = 0, binding = 8) buffer crease_counters_buffer { uint "
                       "crease_counters[]; };",
                       "layout(set = 0, binding = 8, r32ui) uniform uimage2D crease_counters_buffer;") ==
-          sentences{"pass 'every': crease_counters is declared as a storage block, but the SPIR-V has a storage "
-                    "image"});
+          sentences{
+              "pass 'every': crease_counters is declared as a storage block, but the SPIR-V has a storage "
+              "image"});
     CHECK(every::with("layout(std430, set = 0, binding = 8) buffer crease_counters_buffer { uint "
                       "crease_counters[]; };",
                       "") == sentences{"pass 'every': the SPIR-V has nothing at set 0 binding 8, where "
@@ -369,8 +374,8 @@ TEST_CASE("a geometry pass is compared by its bindings and constants, whatever t
     CHECK(spirv::mismatches(little::effect, declared, found).empty());
     declared.bindings = array_view<const binding>(little::scale_bindings, 2);
     declared.constants = array_view<const constant>(little::scale_constants, 2);
-    CHECK(spirv::mismatches(little::effect, declared, found) ==
-          sentences{
-              "pass 'layers': the SPIR-V has crease_output at set 0 binding 2, where nothing is declared",
-              "pass 'layers': the SPIR-V has constant_id 2 (crease_scale_gain), which is not declared"});
+    CHECK(
+        spirv::mismatches(little::effect, declared, found) ==
+        sentences{"pass 'layers': the SPIR-V has crease_output at set 0 binding 2, where nothing is declared",
+                  "pass 'layers': the SPIR-V has constant_id 2 (crease_scale_gain), which is not declared"});
 }

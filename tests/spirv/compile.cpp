@@ -72,7 +72,8 @@ TEST_CASE("each of several pieces of one file is named with its own line") {
                             {"host/a.glsl", "float one() { return 1.0; }\n", 10},
                             {"host/b.glsl", "float two() { return one(); }\n", 3},
                             {"host/a.glsl", "void main() {\n    two(x);\n}\n", 20}};
-    CHECK(contains(sentence_of([&] { spirv::compile(pieces, spirv::shader_stage::compute); }), "host/a.glsl:21: 'x'"));
+    CHECK(contains(sentence_of([&] { spirv::compile(pieces, spirv::shader_stage::compute); }),
+                   "host/a.glsl:21: 'x'"));
 }
 
 TEST_CASE("functions for the host's geometry are no program") {

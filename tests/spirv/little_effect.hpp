@@ -107,7 +107,11 @@ inline constexpr effect_setting settings[] = {
     {"scale", "strength", 1, 0, 1, "", true},
 };
 
-inline constexpr effect_view effect{
-    .passes = passes, .resources = resources, .settings = settings, .views = 2, .features = {}, .defaults = {}};
+inline constexpr effect_view effect{.passes = passes,
+                                    .resources = resources,
+                                    .settings = settings,
+                                    .views = 2,
+                                    .features = {},
+                                    .defaults = {}};
 
 }

@@ -99,13 +99,13 @@ void main() {}
 }
 
 TEST_CASE("a buffer is read, written or both, as all of its members are") {
-    const piece pieces[] = {little::version,
-                            {"buffers.comp",
-                             "layout(std430, set = 0, binding = 0) readonly buffer read { uint a, b; };\n"
-                             "layout(std430, set = 0, binding = 1) writeonly buffer written { uint c, d; };\n"
-                             "layout(std430, set = 0, binding = 2) buffer both { uint e; };\n"
-                             "layout(std430, set = 0, binding = 3) buffer some { readonly uint f; uint g; };\n"
-                             "void main() {}\n"}};
+    const piece pieces[] = {
+        little::version,
+        {"buffers.comp", "layout(std430, set = 0, binding = 0) readonly buffer read { uint a, b; };\n"
+                         "layout(std430, set = 0, binding = 1) writeonly buffer written { uint c, d; };\n"
+                         "layout(std430, set = 0, binding = 2) buffer both { uint e; };\n"
+                         "layout(std430, set = 0, binding = 3) buffer some { readonly uint f; uint g; };\n"
+                         "void main() {}\n"}};
     const spirv::reflection r = spirv::reflect(spirv::compile(pieces, spirv::shader_stage::compute));
     REQUIRE(r.bindings.size() == 4);
     const bool readable[] = {true, false, true, true}, writable[] = {false, true, true, true};

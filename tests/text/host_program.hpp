@@ -34,23 +34,26 @@ inline std::vector<crease::piece> whole_program(const crease::pass& p) {
     const crease::piece version{"version", vulkan ? "#version 450\n" : "#version 430\n"};
     if (p.stage == crease::stage_kind::functions) {
         whole.insert(whole.begin(), {version, {"host", "layout(local_size_x = 8) in;\n"}});
-        whole.push_back({"host", "layout(std430, binding = 9) buffer host_result { float host_value; };\n"
-                                 "void main() { host_value = crease_visibility(ivec2(gl_GlobalInvocationID.xy)); }\n"});
+        whole.push_back(
+            {"host", "layout(std430, binding = 9) buffer host_result { float host_value; };\n"
+                     "void main() { host_value = crease_visibility(ivec2(gl_GlobalInvocationID.xy)); }\n"});
     } else if (p.stage == crease::stage_kind::geometry) {
         whole.insert(whole.begin(), version);
-        whole.push_back({"host", vulkan ? "layout(location = 0) in vec3 host_position;\n"
-                                          "void main() { crease_capture(host_position); }\n"
-                                        : "in vec3 host_position;\nvoid main() { crease_capture(host_position); }\n"});
+        whole.push_back(
+            {"host", vulkan ? "layout(location = 0) in vec3 host_position;\n"
+                              "void main() { crease_capture(host_position); }\n"
+                            : "in vec3 host_position;\nvoid main() { crease_capture(host_position); }\n"});
     }
     return whole;
 }
 
 /// Checks that a program of Vulkan compiles, is valid and has the interface that the effect declares.
-inline void check_vulkan(const crease::effect_view& effect, const crease::pass& p, std::set<std::string>& without_use) {
+inline void check_vulkan(const crease::effect_view& effect, const crease::pass& p) {
     using namespace crease;
     const bool functions = p.stage == stage_kind::functions;
-    const spirv::shader_stage stage = functions || p.stage == stage_kind::compute ? spirv::shader_stage::compute
-                                                                                  : spirv::shader_stage::fragment;
+    const spirv::shader_stage stage = functions || p.stage == stage_kind::compute
+                                          ? spirv::shader_stage::compute
+                                          : spirv::shader_stage::fragment;
     const spirv::words module = spirv::compile(whole_program(p), stage, p.name);
     spirv::validate(module);
     pass declared = p;
@@ -61,8 +64,6 @@ inline void check_vulkan(const crease::effect_view& effect, const crease::pass& 
                            "': the SPIR-V has host_result at set 0 binding 9, where nothing is declared");
     }
     CHECK(spirv::mismatches(effect, declared, spirv::reflect(module)) == expected);
-    for (const std::string& each : functions_without_caller(module))
-        without_use.insert("function " + each + " in " + std::string(p.name));
     if (p.stage == stage_kind::fragment)
         spirv::validate(spirv::compile_vertex(p));
 }
@@ -91,8 +92,10 @@ inline void check_program(const crease::effect_view& effect, const crease::pass&
         whole += each.text;
     for (const std::string& each : identifiers_without_use(whole))
         without_use.insert(each + " in " + std::string(p.name));
+    for (const std::string& each : definitions_without_caller(whole_program(p)))
+        without_use.insert(each + " in " + std::string(p.name));
     if (p.dialect == crease::dialect_kind::opengl)
         check_opengl(p);
     else
-        check_vulkan(effect, p, without_use);
+        check_vulkan(effect, p);
 }

@@ -2,39 +2,43 @@
 // What a program has and nothing in it uses.
 #pragma once
 
-#include <crease/spirv.hpp>
+#include <crease/crease.hpp>
 
-#include <cctype>
 #include <map>
+#include <memory>
 #include <set>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-/// The identifiers that begin with `crease_` and stand only once in a program: what is declared must be used. Comments
-/// do not count, nor do the names of blocks, which only a host uses.
+/// Calls `action` with each identifier of a text that begins with `crease_`, comments aside, and with that
+/// before it.
+template <class Action>
+void for_each_identifier(std::string_view text, Action action) {
+    std::string_view before;
+    for (std::size_t i = 0; i < text.size();) {
+        if (text.substr(i).starts_with("//"))
+            i = text.find('\n', i);
+        std::size_t end = i;
+        while (end < text.size() && crease::reading::is_word(text[end]))
+            ++end;
+        const std::string_view word = text.substr(i, end - i);
+        if (word.starts_with("crease_"))
+            action(word, before);
+        before = word.empty() ? before : word;
+        i = end == i ? i + 1 : end;
+    }
+}
+
+/// The identifiers that begin with `crease_` and stand only once in a program: what is declared must be used.
+/// The names of blocks do not count, which only a host uses.
 inline std::vector<std::string> identifiers_without_use(std::string_view text) {
     std::map<std::string, int, std::less<>> counts;
-    std::string before; // the identifier before
-    for (std::size_t i = 0; i < text.size();) {
-        if (text.substr(i).starts_with("//")) {
-            i = text.find('\n', i);
-            continue;
-        }
-        std::size_t end = i;
-        while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_'))
-            ++end;
-        if (end == i) {
-            ++i;
-            continue;
-        }
-        const std::string word(text.substr(i, end - i));
-        if (word.starts_with("crease_"))
-            counts[word] += before == "uniform" && word == "crease_parameters" ? 2 : before == "buffer" ? 2 : 1;
-        before = word;
-        i = end;
-    }
+    for_each_identifier(text, [&counts](std::string_view word, std::string_view before) {
+        const bool names_block = before == "buffer" || (before == "uniform" && word == "crease_parameters");
+        counts[std::string(word)] += names_block ? 2 : 1;
+    });
     std::vector<std::string> once;
     for (const auto& [name, count] : counts)
         if (count == 1)
@@ -42,25 +46,37 @@ inline std::vector<std::string> identifiers_without_use(std::string_view text) {
     return once;
 }
 
-/// The functions of a module that are no entry point and that no function calls.
-inline std::vector<std::string> functions_without_caller(std::span<const std::uint32_t> module) {
-    constexpr unsigned name = 5, entry_point = 15, function = 54, call = 57; // opcodes
-    std::set<std::uint32_t> defined, called;
-    std::map<std::uint32_t, std::string> names;
-    for (std::size_t at = 5; at < module.size(); at += module[at] >> 16) {
-        const unsigned code = module[at] & 0xffff;
-        if (code == name)
-            names[module[at + 1]] = reinterpret_cast<const char*>(&module[at + 2]);
-        else if (code == entry_point)
-            called.insert(module[at + 2]);
-        else if (code == function)
-            defined.insert(module[at + 2]);
-        else if (code == call)
-            called.insert(module[at + 3]);
+/// The definitions of a program that nothing in it calls or names, directly or by others, from `main`, the
+/// interface and what a host writes around it. The module does not tell, as glslang drops what is not called.
+/// @param whole  each piece one definition, or what is not crease's
+inline std::vector<std::string> definitions_without_caller(std::span<const crease::piece> whole) {
+    std::map<crease::symbol, std::set<crease::symbol>> references;
+    std::map<crease::symbol, std::string> texts;
+    std::set<crease::symbol> reached;
+    std::vector<crease::symbol> next;
+    for (const crease::piece& each : whole) {
+        const crease::glsl_file file{each.name, each.text};
+        const auto table = std::make_unique<crease::symbol_table>(crease::read_symbols(file));
+        const crease::symbol name = table->definitions.size() == 1 ? table->definitions[0].name : 0;
+        const bool is_root = each.name == "interface" || each.name == "host" || name == crease::main_symbol;
+        for_each_identifier(each.text, [&](std::string_view word, std::string_view) {
+            if (is_root)
+                next.push_back(crease::symbol_of(word));
+            else
+                references[name].insert(crease::symbol_of(word));
+        });
+        if (!is_root && name != 0)
+            texts[name] = each.text;
+    }
+    while (!next.empty()) {
+        const crease::symbol name = next.back();
+        next.pop_back();
+        if (reached.insert(name).second)
+            next.insert(next.end(), references[name].begin(), references[name].end());
     }
     std::vector<std::string> uncalled;
-    for (std::uint32_t each : defined)
-        if (!called.contains(each))
-            uncalled.push_back(names[each]);
+    for (const auto& [name, text] : texts)
+        if (!reached.contains(name))
+            uncalled.push_back(text);
     return uncalled;
 }

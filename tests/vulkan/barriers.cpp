@@ -142,23 +142,3 @@ TEST_CASE("what is drawn to is waited for by what samples it") {
     CHECK(of_right[1].is_waited_for_by(compute, VK_ACCESS_SHADER_READ_BIT));
     CHECK(of_right[1].after == VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
 }
-
-TEST_CASE("what is downloaded is written before the host reads it") {
-    vulkan::device& device = validated_device();
-    vulkan::image image(device, {.name = "test",
-                                 .texels = format::r8_unorm,
-                                 .width = 3,
-                                 .height = 2,
-                                 .usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
-    const std::vector<float> numbers{0, 1, 0, 1, 1, 0};
-    vulkan::upload(device, image, std::span<const float>(numbers));
-    CHECK(vulkan::download(device, image) == numbers);
-    const auto of_image = barriers_of(image.handle());
-    REQUIRE(of_image.size() == 2);
-    CHECK(of_image[1].waits_for(VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT));
-    CHECK(of_image[1].is_waited_for_by(VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_READ_BIT));
-    const recorded_barrier& last = recorded_barriers().back();
-    CHECK(last.image == VK_NULL_HANDLE);
-    CHECK(last.waits_for(VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT));
-    CHECK(last.is_waited_for_by(VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT));
-}

@@ -83,7 +83,8 @@ inline constexpr auto pieces = list_pieces<Effect, Pass>();
 template <class Effect, class Whole>
 constexpr bool assert_fit() {
     constexpr refusal refused = planned<Effect>.refused ? planned<Effect>.refused : Whole::misfit;
-    return rules::assert_known_resource<refused.sentence != rules::known_resource, Effect>() &&
+    return rules::assert_resource_once<refused.sentence != rules::resource_once, Effect>() &&
+           rules::assert_known_resource<refused.sentence != rules::known_resource, Effect>() &&
            rules::assert_written_first<refused.sentence != rules::written_first, Effect>() &&
            rules::assert_few_resources<refused.sentence != rules::few_resources, Effect>() &&
            rules::assert_few_passes<refused.sentence != rules::few_passes, Effect>() &&

@@ -59,7 +59,8 @@ public:
     /// Writes all characters.
     void write(char* to) const { std::memcpy(to, words, size_); }
 
-    std::uint64_t words[most_characters / 8] = {}; ///< eight characters each, the first in the lowest byte; then zeros
+    std::uint64_t words[most_characters / 8] =
+        {}; ///< eight characters each, the first in the lowest byte; then zeros
 
 private:
     constexpr interface_text& add(const char* from, std::size_t count) {

@@ -16,8 +16,8 @@ constexpr std::size_t size_of(array_view<const piece> pieces) {
     return size;
 }
 
-/// Writes the pieces of a program one after the other. They are joined at run time, as a compiler would take longer for
-/// that than for all else together.
+/// Writes the pieces of a program one after the other. They are joined at run time, as a compiler would take
+/// longer for that than for all else together.
 /// @param to  of size_of(pieces) characters
 inline std::string_view join(array_view<const piece> pieces, char* to) {
     std::size_t size = 0;

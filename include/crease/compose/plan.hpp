@@ -89,6 +89,8 @@ constexpr void add_resources(plan& p, const choice& c, unsigned view_divisor) {
         if (own.shape)
             own.shape(own, {p.parts, c, p.views});
         own.shape = nullptr;
+        if (p.index_of(own.name, 0) >= 0)
+            p.refused = {rules::resource_once, c.what->name, own.name};
         p.resources.add(own);
         for (unsigned v = 1; v < p.views && !own.further_names.empty(); ++v) {
             resource further = own;
@@ -114,7 +116,8 @@ constexpr void add_settings(plan& p, const choice& c) {
 /// The steps of a part that run before the main pass or after the last filter.
 constexpr void add_steps(plan& p, const choice& owner, bool after, unsigned view_divisor) {
     for (const step& s : owner.what->steps) {
-        if (stands_before(p, owner) || s.kind == step_kind::result || s.after != after || owner.numbers[0] < s.from)
+        if (stands_before(p, owner) || s.kind == step_kind::result || s.after != after ||
+            owner.numbers[0] < s.from)
             continue;
         const unsigned views = s.per_view ? p.views : 1;
         for (unsigned i = 0; i < views * static_cast<unsigned>(s.times); ++i) {

@@ -162,8 +162,10 @@ private:
             if (has_copies)
                 i += plan_.views - 1;
         }
-        if (pass_.input >= 0)
-            bind("input", static_cast<std::size_t>(pass_.input), read_access(plan_.resources[static_cast<std::size_t>(pass_.input)]));
+        if (pass_.input >= 0) {
+            const auto input = static_cast<std::size_t>(pass_.input);
+            bind("input", input, read_access(plan_.resources[input]));
+        }
         for (std::size_t i = 0; i < pass_.outputs.size(); ++i) {
             const unsigned at = pass_.outputs[i];
             if (!is_result_)

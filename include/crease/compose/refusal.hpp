@@ -19,6 +19,7 @@ namespace crease {
     rule(asked_for, "a part is of use only beside a part that requires its role, and none does")                       \
     rule(full_size_input, "a filter takes a picture of full size, and the one before it makes a smaller one")          \
     rule(few_enough, "an effect has 16 parts at the most")                                                             \
+    rule(resource_once, "two parts describe a resource of the same name")                                              \
     rule(known_resource, "a step fills a resource that no part of the effect describes")                               \
     rule(written_first, "a pass reads a resource that no pass before it fills")                                        \
     rule(few_resources, "an effect has 48 resources, 24 settings and 4 views at the most")                             \

@@ -52,7 +52,23 @@ constexpr bool begins_with_prefix(const char* text, std::size_t left) {
 
 }
 
-/// Reads the definitions of a file. One whose name does not begin with `crease_` counts to that after it.
+namespace reading {
+
+/// Where the rest of a line ends that is empty or a comment, its end included; else `at`.
+constexpr std::size_t line_end(const char* text, std::size_t at, std::size_t size) {
+    std::size_t i = at;
+    while (i < size && text[i] == ' ')
+        ++i;
+    if (i + 1 < size && text[i] == '/' && text[i + 1] == '/')
+        while (i < size && text[i] != '\n')
+            ++i;
+    return i == size ? size : text[i] == '\n' ? i + 1 : at;
+}
+
+}
+
+/// Reads the definitions of a file; prototypes are none. One whose name does not begin with `crease_` counts
+/// to that after it.
 constexpr symbol_table read_symbols(const glsl_file& file) {
     symbol_table table{&file, {}, {}};
     // Plain indices and one loop: a compiler evaluates this for each character.
@@ -92,6 +108,10 @@ constexpr symbol_table read_symbols(const glsl_file& file) {
         } else if (c == '/' && i + 1 < size && text[i + 1] == '/') {
             while (i < size && text[i] != '\n')
                 ++i;
+        } else if (c == '/' && i + 1 < size && text[i + 1] == '*') {
+            for (i += 2; i + 1 < size && !(text[i] == '*' && text[i + 1] == '/'); ++i)
+                line = static_cast<std::uint16_t>(line + (text[i] == '\n'));
+            i += 2;
         } else {
             if (depth == 0 && !is_named && last != 0 &&
                 (c == '(' || c == '{' || c == '=' || c == '[' || c == ';')) {
@@ -101,22 +121,25 @@ constexpr symbol_table read_symbols(const glsl_file& file) {
             }
             depth += c == '(' || c == '{' ? 1 : c == ')' || c == '}' ? -1 : 0;
             ++i;
-            if (depth != 0 || !(c == ';' || (c == '}' && is_function)))
+            if (depth != 0 || !is_named || !(c == ';' || (c == '}' && is_function)))
                 continue;
-            if (!is_named)
-                continue;
-            while (i < size && text[i] != '\n')
-                ++i;
-            own.end = static_cast<std::uint16_t>(i < size ? i + 1 : size);
+            const std::size_t next = reading::line_end(text, i, size);
+            const bool ends_line = next > i && text[next - 1] == '\n';
+            own.end = static_cast<std::uint16_t>(next);
             own.references = static_cast<std::uint16_t>(table.references.count - own.first_reference);
-            table.definitions.add(own);
-            own = {.begin = own.end,
-                   .line = static_cast<std::uint16_t>(line + 1),
+            if (c == ';' && is_function) // a prototype
+                table.references.count = own.first_reference;
+            else
+                table.definitions.add(own);
+            i = ends_line ? next - 1 : next; // the line's end is counted above
+            own = {.begin = static_cast<std::uint16_t>(next),
+                   .line = static_cast<std::uint16_t>(line + ends_line),
                    .first_reference = static_cast<std::uint16_t>(table.references.count)};
             is_named = false;
             last = 0;
         }
     }
+    table.definitions.cut = table.definitions.cut || size > 0xffff;
     return table;
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 // The index of all parts. To add one: its GLSL in templates/crease/<role>/<name>.glsl, its struct in
-// include/crease/parts/<role>/<name>.hpp, one include and one line here beside those of its role, and its tests in
-// tests/pure/parts/<role>/<name>.cpp.
+// include/crease/parts/<role>/<name>.hpp, one include and one line here beside those of its role, and its
+// tests in tests/pure/parts/<role>/<name>.cpp.
 
 #include <crease/parts/coverage/anisotropic_threshold.hpp>
 #include <crease/parts/coverage/hash_4d.hpp>

@@ -70,7 +70,8 @@ struct instructions {
             return each.operands.size() > word ? each[word] : 0;
         };
         if (each.code == spv::OpName)
-            names.emplace(each[1], each.text(2)); // one that a constant equals has its number, and a later name
+            names.emplace(each[1],
+                          each.text(2)); // one that a constant equals has its number, and a later name
         else if (each.code == spv::OpMemberName)
             member_names[{each[1], each[2]}] = each.text(3);
         else if (each.code == spv::OpDecorate)

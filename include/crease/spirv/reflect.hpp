@@ -156,11 +156,8 @@ private:
         else
             read_access(b, block);
         b.name = module_.name_of(block.result); // by which a host knows it
-        bool readable = false, writable = false; // `readonly` of a block is said of its members
         for (std::uint32_t i = 0; i + 2 < block.operands.size(); ++i) {
             const int member = static_cast<int>(i);
-            readable = readable || !has(block.result, spv::DecorationNonReadable, member);
-            writable = writable || !has(block.result, spv::DecorationNonWritable, member);
             const auto name = module_.member_names.find({block.result, i});
             const std::uint32_t offset =
                 module_.decoration(block.result, spv::DecorationOffset, member).value_or(0);
@@ -168,8 +165,6 @@ private:
             const auto matrix_stride = module_.decoration(block.result, spv::DecorationMatrixStride, member);
             b.size = std::max(b.size, offset + size_of(block[2 + i], matrix_stride.value_or(0)));
         }
-        b.readable = b.readable && readable;
-        b.writable = b.writable && writable;
         if (uniform)
             b.size = (b.size + 15) / 16 * 16;
     }

@@ -123,6 +123,19 @@ public:
         device_.check_messages();
     }
 
+    /// Draws something else with the shaders that a geometry pass has, or with other push constants.
+    /// @throws error  where there is no such pass, it has no shaders yet, or the bytes are not as many
+    void set_geometry(std::string_view pass, const mesh& triangles,
+                      std::span<const std::byte> push_constants = {}) {
+        for (std::size_t i = geometry_pass_of(pass); i < effect_.passes.size(); ++i) {
+            if (effect_.passes[i].stage != stage_kind::geometry || effect_.passes[i].name != pass)
+                continue;
+            if (!geometry_[i])
+                throw error("the geometry pass '" + std::string(pass) + "' has no shaders yet");
+            geometry_[i]->set(triangles, push_constants);
+        }
+    }
+
     /// Runs all passes once and waits for them.
     /// @return the time of each pass, in order
     /// @throws error  where an input was neither uploaded nor bound, or a geometry pass draws nothing

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
+int crease_sample_count();
 uvec3 crease_fragment_noise(uint salt);
 float crease_unit_float(uint bits);
 #else

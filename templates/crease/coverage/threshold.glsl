@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
+int crease_sample_count();
 float crease_hash_4d(vec4 v);
 #else
 __LINE__, R"glsl("

@@ -4,6 +4,9 @@ crease_estimate crease_estimate_begin(crease_receiver receiver);
 void crease_end_direction(inout crease_estimate estimate, crease_march march);
 float crease_visibility_of(float occlusion);
 float crease_estimate_occlusion(crease_estimate estimate);
+crease_open crease_open_direction(crease_march march, crease_receiver receiver, vec2 direction);
+vec3 crease_open_mean(crease_open open, crease_receiver receiver);
+float crease_open_cone(crease_open open);
 #else
 __LINE__, R"glsl("
 #endif
@@ -14,13 +17,6 @@ struct crease_result {
     float depth;      // positive, linear; crease_background where there is none
     vec3 bent;        // view space: the mean open direction, of any length; to the eye where there is background
     float cone;       // half angle of the bent cone, radians
-};
-
-// The open directions that an estimator finds.
-struct crease_open {
-    vec3 sum;     // as the estimator defines it
-    float weight; // of what is in the sum
-    float turned; // sum of the angles by which the directions turn the normal, radians
 };
 
 struct crease_gathered {

@@ -26,10 +26,8 @@ constexpr const glsl_file* files[] = {&noise_glsl};
 constexpr const glsl_file* making[] = {&make_glsl};
 constexpr resource numbers[] = {
     {.name = "numbers", .texels = format::rgba32_float, .life = lifetime::transient}};
-constexpr resource cleared_numbers[] = {{.name = "numbers",
-                                         .texels = format::rgba32_float,
-                                         .life = lifetime::transient,
-                                         .cleared = true}};
+constexpr resource cleared_numbers[] = {
+    {.name = "numbers", .texels = format::rgba32_float, .life = lifetime::transient, .cleared = true}};
 constexpr std::string_view filled[] = {"numbers"}, unknown[] = {"letters"};
 constexpr std::string_view five[] = {"numbers", "numbers", "numbers", "numbers", "numbers"};
 
@@ -59,7 +57,8 @@ constexpr part noise(array_view<const resource> resources, array_view<const step
 
 /// Why the recipe "directions/single_layer/hbao/host_noise" with this noise is refused.
 std::string error_with(const part& noise) {
-    const part* known[] = {&directions_part::description, &single_layer::description, &hbao::description, &noise};
+    const part* known[] = {&directions_part::description, &single_layer::description, &hbao::description,
+                           &noise};
     const auto composed = std::make_unique<composition>(
         recipe(std::string_view("directions/single_layer/hbao/host_noise"), known));
     CHECK(composed->view().passes.empty() == !composed->error().empty());
@@ -105,13 +104,15 @@ TEST_CASE("what is cleared, an input or the frame before's need not be filled fi
 }
 
 TEST_CASE("a step that fills what no part describes is refused") {
-    CHECK(error_with(host::noise(host::numbers, host::make_unknown)) ==
-          "crease::effect: a step fills a resource that no part of the effect describes (host_noise, letters)");
+    CHECK(
+        error_with(host::noise(host::numbers, host::make_unknown)) ==
+        "crease::effect: a step fills a resource that no part of the effect describes (host_noise, letters)");
 }
 
 TEST_CASE("too many passes, and too many outputs of one, are refused") {
-    const std::string few_passes = "crease::effect: an effect has 32 passes at the most, each with 4 outputs, "
-                                   "16 bindings and 32 constants ";
+    const std::string few_passes =
+        "crease::effect: an effect has 32 passes at the most, each with 4 outputs, "
+        "16 bindings and 32 constants ";
     CHECK(error_with(host::noise(host::numbers, host::make_just_often_enough)).empty());
     CHECK(error_with(host::noise(host::numbers, host::make_often)).starts_with(few_passes));
     CHECK(error_with(host::noise(host::numbers, host::make_five)).starts_with(few_passes));

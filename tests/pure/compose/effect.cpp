@@ -18,9 +18,9 @@ static_assert(plain::settings[0].part == "hbao" && plain::settings[0].name == "b
 static_assert(plain::features.extended_storage_formats);
 static_assert(get(plain::defaults, plain::settings, "bias") == hbao::reads[0].fallback);
 static_assert(has_version(plain::passes[0].pieces[0].text, "#version 450\n"));
-static_assert(plain::passes[0].pieces[0].text.starts_with(
-    "// directions:8x4x2/single_layer/hbao, pass visibility; crease 0.1.0, SPDX-License-Identifier: MIT-0\n"));
-static_assert(plain::source<0>.size() > 1000);
+static_assert(
+    plain::passes[0].pieces[0].text.starts_with("// directions:8x4x2/single_layer/hbao, pass visibility; "
+                                                "crease 0.1.0, SPDX-License-Identifier: MIT-0\n"));
 static_assert(plain::view().block_size() == block_size(1, 4));
 
 static_assert(!effect<directions<8, 4>, single_layer, hbao, fragment>::features.extended_storage_formats);
@@ -28,9 +28,18 @@ static_assert(!effect<directions<8, 4>, single_layer, hbao, opengl_glsl>::featur
 
 }
 
+TEST_CASE("the text of a pass is joined once, and ends with a NUL") {
+    const std::string_view text = plain::source<0>();
+    CHECK(text.size() > 1000);
+    CHECK(text.data() == plain::source<0>().data());
+    CHECK(text == joined(plain::passes[0].pieces));
+    CHECK(text.data()[text.size()] == '\0');
+}
+
 TEST_CASE("an effect and the recipe of its parts are equal to the byte") {
     check_equal_to<effect<directions<8, 4>, single_layer, hbao>>("directions:8x4/single_layer/hbao");
-    check_equal_to<effect<directions<6, 6>, single_layer, hbao_plus>>("directions:6x6/single_layer/hbao_plus");
+    check_equal_to<effect<directions<6, 6>, single_layer, hbao_plus>>(
+        "directions:6x6/single_layer/hbao_plus");
     check_equal_to<effect<hemisphere_points<>, single_layer, ssao>>("hemisphere_points/single_layer/ssao");
     check_equal_to<effect<poisson_disk<9>, single_layer, hbao_plus>>("poisson_disk:9/single_layer/hbao_plus");
     check_equal_to<effect<directions<>, single_layer, hbao, bilateral<>>>(
@@ -41,7 +50,8 @@ TEST_CASE("an effect and the recipe of its parts are equal to the byte") {
         "hemisphere_points/single_layer/ssao/upsample/bilateral/opengl");
     check_equal_to<effect<poisson_disk<>, single_layer, hbao_plus, fragment, opengl_glsl>>(
         "poisson_disk/single_layer/hbao_plus/fragment/opengl");
-    check_equal_to<effect<directions<>, single_layer, hbao, orthographic, linear_depth, reconstructed_normals>>(
+    check_equal_to<
+        effect<directions<>, single_layer, hbao, orthographic, linear_depth, reconstructed_normals>>(
         "directions/single_layer/hbao/orthographic/linear_depth/reconstructed_normals");
     check_equal_to<effect<directions<>, single_layer, hbao, fragment, linearised_depth, image_load>>(
         "directions/single_layer/hbao/fragment/linearised_depth/image_load");
@@ -55,7 +65,8 @@ TEST_CASE("an effect and the recipe of its parts are equal to the byte") {
 }
 
 TEST_CASE("so are those with geometry passes, tables and cameras") {
-    check_equal_to<effect<directions<4, 4>, stochastic_layers<6>, hbao, atomic_minimum<1, 2, 3>, simple_hash>>(
+    check_equal_to<
+        effect<directions<4, 4>, stochastic_layers<6>, hbao, atomic_minimum<1, 2, 3>, simple_hash>>(
         "directions:4x4/stochastic_layers:6/hbao/atomic_minimum:1x2x3/simple_hash");
     check_equal_to<effect<directions<>, stochastic_layers<>, hbao_plus, second_view<>, bent_cone>>(
         "directions/stochastic_layers/hbao_plus/second_view/bent_cone");

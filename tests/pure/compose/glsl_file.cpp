@@ -35,7 +35,8 @@ TEST_CASE("each GLSL file has its fences, its licence and a size that every comp
             continue;
         CAPTURE(entry.path().string());
         const std::string text = content_of(entry.path());
-        const std::string licence = "// SPDX-License-Identifier: MIT-0\n", fence = "__LINE__, R\"glsl(\"\n#endif\n";
+        const std::string licence = "// SPDX-License-Identifier: MIT-0\n",
+                          fence = "__LINE__, R\"glsl(\"\n#endif\n";
         const bool has_contract = text.starts_with(licence + "#ifndef __cplusplus\n");
         const std::size_t body = text.find((has_contract ? "#else\n" : "#ifdef __cplusplus\n") + fence);
         REQUIRE(body != text.npos);

@@ -20,7 +20,8 @@ constexpr plan planned(std::string_view text) {
 static_assert(planned("directions/single_layer/hbao").passes.size() == 1);
 static_assert(planned("directions/single_layer/hbao/bilateral").passes.size() == 3);
 static_assert(planned("directions/single_layer/hbao/reconstructed_normals").resources.size() == 3);
-static_assert(planned("directions:5/single_layer/hbao").recipe.view() == "directions:5x4x2/single_layer/hbao");
+static_assert(planned("directions:5/single_layer/hbao").recipe.view() ==
+              "directions:5x4x2/single_layer/hbao");
 
 const resource& resource_of(const plan& p, std::string_view name) {
     return p.resources[static_cast<std::size_t>(p.index_of(name, 0))];
@@ -223,19 +224,24 @@ TEST_CASE("an array of captured layers has one for each sample, also where there
         }
 }
 
-TEST_CASE("steps run before the main pass in the order of the roles, for each camera, or after the last filter") {
+TEST_CASE(
+    "steps run before the main pass in the order of the roles, for each camera, or after the last filter") {
     using host::counting;
-    static constexpr const part* known[] = {&directions_part::description, &stochastic_layers_part::description,
-                                            &hbao_plus::description,       &second_view_part::description,
-                                            &bilateral_part::description,  &atomic_minimum_part::description,
+    static constexpr const part* known[] = {&directions_part::description,
+                                            &stochastic_layers_part::description,
+                                            &hbao_plus::description,
+                                            &second_view_part::description,
+                                            &bilateral_part::description,
+                                            &atomic_minimum_part::description,
                                             &counting};
     const plan p = make_plan(
-        recipe("directions/stochastic_layers/hbao_plus/bilateral/second_view/atomic_minimum/counting", known).choices());
+        recipe("directions/stochastic_layers/hbao_plus/bilateral/second_view/atomic_minimum/counting", known)
+            .choices());
     REQUIRE_FALSE(p.refused);
     const std::vector<std::string_view> names{
-        "twice",          "twice",       "twice",       "twice",       // twice for each camera: a further view's
+        "twice",          "twice",          "twice",       "twice", // twice for each camera: a further view's
         "capture_layers", "capture_layers", "pack_layers", "pack_layers",
-        "visibility",     "bilateral_x", "bilateral_y", "last"};
+        "visibility",     "bilateral_x",    "bilateral_y", "last"};
     REQUIRE(p.passes.size() == names.size());
     for (std::size_t i = 0; i < names.size(); ++i)
         CHECK(p.passes[i].what->name == names[i]);
@@ -254,7 +260,8 @@ TEST_CASE("a camera's pass fills what is the camera's own, and what all share ot
     const plan p = planned("directions/stochastic_layers/hbao_plus/second_view");
     for (const planned_pass& pass : p.passes) {
         if (pass.what->name == "capture_layers")
-            CHECK(p.resources[pass.outputs[0]].name == (pass.view == 0 ? "captured_layers" : "captured_layers_1"));
+            CHECK(p.resources[pass.outputs[0]].name ==
+                  (pass.view == 0 ? "captured_layers" : "captured_layers_1"));
         if (pass.what->name == "pack_layers")
             CHECK(p.resources[pass.outputs[0]].name == "packed_layers");
     }
@@ -278,4 +285,14 @@ TEST_CASE("settings of one name are one where both parts share it, and two where
     const plan twice = planned("directions/single_layer/hbao/bilateral:2/bilateral:4");
     CHECK(std::ranges::count(twice.settings, std::string_view("sharpness"), &effect_setting::name) == 1);
     CHECK(std::ranges::count(p.settings, std::string_view("strength"), &effect_setting::name) == 1);
+}
+
+TEST_CASE("a part that keeps a setting to itself does not share it with one that would") {
+    constexpr setting own[] = {{"strength", 0.5f, 0, 1, "of its own"}};
+    const part noise{.kind = role::noise, .name = "own", .summary = "", .source = "", .settings = own};
+    const choice chosen[] = {
+        choice_of<directions<>>(), choice_of<single_layer>(), choice_of<hbao>(), {&noise, {}}};
+    const plan p = make_plan(chosen);
+    CHECK(std::ranges::count(p.settings, std::string_view("strength"), &effect_setting::name) == 2);
+    CHECK(std::ranges::count(p.settings, std::string_view("own"), &effect_setting::part) == 1);
 }

@@ -19,7 +19,8 @@ using namespace crease;
 
 std::size_t count_of(std::string_view text, std::string_view part) {
     std::size_t count = 0;
-    for (std::size_t at = text.find(part); at != std::string_view::npos; at = text.find(part, at + part.size()))
+    for (std::size_t at = text.find(part); at != std::string_view::npos;
+         at = text.find(part, at + part.size()))
         ++count;
     return count;
 }
@@ -136,17 +137,18 @@ TEST_CASE("legal compositions are whole, and its bindings and constants are dist
 }
 
 TEST_CASE("the longest names and numbers fit") {
-    const std::string text = "directions:64x64x4/stochastic_layers:32/hbao/deferred_layers:1x4/bent_cone/"
-                             "atomic_minimum:31x1023x1023/bilateral:16/upsample:8/compute:1024x1024/tiled_noise:16";
+    const std::string text =
+        "directions:64x64x4/stochastic_layers:32/hbao/deferred_layers:1x4/bent_cone/"
+        "atomic_minimum:31x1023x1023/bilateral:16/upsample:8/compute:1024x1024/tiled_noise:16";
     const auto composed = std::make_unique<composition>(recipe(std::string_view(text)));
     CHECK(composed->error().empty());
 }
 
 TEST_CASE("a program has no definition twice, and each after those that it calls") {
-    for (const char* text : {"directions:8x4/stochastic_layers/hbao_plus/bent_cone/second_view/atomic_minimum",
-                             "directions:8x4/stochastic_layers/hbao/deferred_layers/bent_cone/bilateral/upsample",
-                             "sample_box/summed_area_adaptive/mean_height/fragment",
-                             "directions/single_layer/hbao/functions"}) {
+    for (const char* text :
+         {"directions:8x4/stochastic_layers/hbao_plus/bent_cone/second_view/atomic_minimum",
+          "directions:8x4/stochastic_layers/hbao/deferred_layers/bent_cone/bilateral/upsample",
+          "sample_box/summed_area_adaptive/mean_height/fragment", "directions/single_layer/hbao/functions"}) {
         CAPTURE(text);
         const auto composed = std::make_unique<composition>(recipe(std::string_view(text)));
         REQUIRE(*composed);
@@ -249,7 +251,8 @@ TEST_CASE("a program has the settings that it reads, and its block all of the ef
 }
 
 TEST_CASE("a program that reads no parameters has no block of them") {
-    const auto composed = std::make_unique<composition>(recipe("box_window/single_layer/unsharp_mask/linear_depth"));
+    const auto composed =
+        std::make_unique<composition>(recipe("box_window/single_layer/unsharp_mask/linear_depth"));
     const auto areas = std::make_unique<composition>(recipe("sample_box/mip_chain:3/mean_height"));
     for (const effect_view& view : {composed->view(), areas->view()})
         for (const pass& each : view.passes) {
@@ -262,9 +265,9 @@ TEST_CASE("a program that reads no parameters has no block of them") {
 }
 
 TEST_CASE("two cameras have two views in the block, and a program for both begins with the first") {
-    check_declares("directions/stochastic_layers/hbao_plus/second_view", 4,
-                   {"    crease_view_parameters views[2];", "    mat4 from_first[1];",
-                    "int crease_view_index = 0;"});
+    check_declares(
+        "directions/stochastic_layers/hbao_plus/second_view", 4,
+        {"    crease_view_parameters views[2];", "    mat4 from_first[1];", "int crease_view_index = 0;"});
     check_declares("directions/stochastic_layers/hbao_plus/second_view", 3,
                    {"const int crease_view_index = 1;"});
     CHECK_FALSE(contains(interface_of("directions/stochastic_layers/hbao_plus", 2), "from_first"));

@@ -12,7 +12,7 @@ using namespace crease;
 
 constexpr choice legal[] = {choice_of<directions<>>(), choice_of<single_layer>(), choice_of<hbao>()};
 static_assert(!check(legal));
-static_assert(complete(legal).size() == 13);
+static_assert(complete(legal).size() == 14);
 static_assert(complete(legal)[3].what == &perspective::description);
 
 constexpr choice unordered[] = {choice_of<poisson_disk<>>(), choice_of<single_layer>(), choice_of<hbao>()};
@@ -53,7 +53,7 @@ TEST_CASE("a choice is not completed with a part whose role is taken") {
     std::vector<choice> chosen(std::begin(legal), std::end(legal));
     chosen.push_back(choice_of<orthographic>());
     const choice_list all = complete(chosen);
-    CHECK(all.size() == 13);
+    CHECK(all.size() == 14);
     for (const choice& each : all)
         CHECK(each.what != &perspective::description);
 }

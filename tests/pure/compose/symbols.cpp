@@ -100,8 +100,8 @@ TEST_CASE("a symbol of two texts is that of both after each other") {
 }
 
 TEST_CASE("structs, constants, arrays, shared variables and functions are definitions, and so is main") {
-    const char* names[] = {"crease_estimate", "crease_most", "crease_offsets", "crease_sums",
-                           "crease_one",      "crease_two",  "main"};
+    const char* names[] = {"crease_estimate", "crease_most", "crease_offsets", "crease_sums", "crease_one",
+                           "crease_two",      "main"};
     for (std::size_t i = 0; i < 7; ++i) {
         CAPTURE(names[i]);
         CHECK(table.definitions[i].name == symbol_of(names[i]));
@@ -142,6 +142,21 @@ TEST_CASE("references are the identifiers of crease in a definition, each once, 
     CHECK(refers(table, 6, "crease_two"));
     CHECK_FALSE(refers(table, 6, "crease_one"));
     CHECK_FALSE(refers(table, 0, "crease_unknown"));
+}
+
+TEST_CASE("several definitions may stand in a line") {
+    CHECK(names_in("const int crease_a = 1; const int crease_b = 2;\nint crease_c() { return crease_b; } // "
+                   "both\n") == symbols({"crease_a", "crease_b", "crease_c"}));
+}
+
+TEST_CASE("a prototype is no definition, nor is what stands in a comment of several lines") {
+    CHECK(names_in("float crease_a(int i);\n/* float crease_b() { return 1.0; }\n */\nfloat crease_c() { "
+                   "return 1.0; }\n") == symbols({"crease_c"}));
+}
+
+TEST_CASE("the line after a comment of several lines is told") {
+    constexpr glsl_file file{"host/lines.glsl", "/* a\nb */\nint crease_a;\nint crease_b;\n"};
+    CHECK(read_symbols(file).definitions[1].line == 3);
 }
 
 TEST_CASE("a name must begin with crease_ to be a definition") {
@@ -210,9 +225,10 @@ TEST_CASE("all identifiers of crease's GLSL have different symbols") {
             for (const char* before : {"crease_", "crease_load_", "crease_size_of_", "crease_encode_"})
                 learn(before + std::string(r.name));
     }
-    for (const char* name : {"crease_given", "crease_radius", "crease_frame", "crease_view_index", "crease_divisor",
-                             "crease_input_divisor", "crease_workgroup_columns", "crease_unroll", "crease_write",
-                             "crease_build_size", "crease_load_input", "crease_size_of_input", "main"})
+    for (const char* name :
+         {"crease_given", "crease_radius", "crease_frame", "crease_view_index", "crease_divisor",
+          "crease_input_divisor", "crease_workgroup_columns", "crease_unroll", "crease_write",
+          "crease_build_size", "crease_load_input", "crease_size_of_input", "main"})
         learn(name);
     CHECK(known.size() > 300);
 }

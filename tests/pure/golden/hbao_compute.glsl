@@ -1,3 +1,4 @@
+// directions:8x4x2/single_layer/hbao, pass visibility; crease 0.1.0, SPDX-License-Identifier: MIT-0
 #version 450
 #extension GL_EXT_control_flow_attributes : enable
 #define crease_unroll [[unroll]]
@@ -6,14 +7,11 @@ layout(constant_id = 2) const int crease_directions_count = 8;
 layout(constant_id = 3) const int crease_directions_steps = 4;
 layout(constant_id = 4) const int crease_directions_power = 2;
 const int crease_divisor = 1;
-const int crease_workgroup_columns = 16;
 const int crease_view_index = 0;
-#define crease_write(pixel, result) imageStore(crease_output, pixel, crease_encode_visibility(result));
 layout(set = 0, binding = 1) uniform sampler2D crease_depth;
 layout(set = 0, binding = 2) uniform sampler2D crease_normal;
 layout(r8, set = 0, binding = 3) uniform writeonly image2D crease_output;
-#define crease_parameters_place std140, set = 0, binding = 0
-// SPDX-License-Identifier: MIT
+
 struct crease_view_parameters {
     vec4 from_texel;
     vec2 depth_unpack;
@@ -23,169 +21,162 @@ struct crease_view_parameters {
     vec2 texel_size;
 };
 
-layout(crease_parameters_place) uniform crease_parameters {
-    crease_view_parameters crease_views[2];
-    mat4 crease_second_from_first;
-    float crease_radius;
-    float crease_bias;
-    float crease_threshold;
-    float crease_strength;
-    float crease_exponent;
-    float crease_sharpness;
-    uint crease_frame;
-    float crease_opacity;
-    float crease_front_reach;
-    float crease_falloff;
+layout(std140, set = 0, binding = 0) uniform crease_parameters {
+    crease_view_parameters views[1];
+    float radius;
+    uint frame;
+    float hbao_bias;
+    float hbao_threshold;
+    float strength;
+    float exponent;
 } crease_given;
 
-// A camera as shaders use it: in their texel space whole numbers are the centres of the depth image's texels, those of
-// the guard band too.
-crease_view_parameters crease_view_of(int index) {
-    crease_view_parameters view = crease_given.crease_views[index];
-    view.from_texel.zw += (0.5 - view.guard) * view.from_texel.xy;
-    return view;
-}
+float crease_radius = crease_given.radius;
+uint crease_frame = crease_given.frame;
+float crease_hbao_bias = crease_given.hbao_bias;
+float crease_hbao_threshold = crease_given.hbao_threshold;
+float crease_strength = crease_given.strength;
+float crease_exponent = crease_given.exponent;
 
-// Read once, as not every compiler takes the reading out of a loop.
-crease_view_parameters crease_view = crease_view_of(crease_view_index); // of the camera at work
-float crease_radius = crease_given.crease_radius;
-float crease_bias = crease_given.crease_bias;
-float crease_threshold = crease_given.crease_threshold;
-float crease_strength = crease_given.crease_strength;
-float crease_exponent = crease_given.crease_exponent;
-float crease_sharpness = crease_given.crease_sharpness;
-uint crease_frame = crease_given.crease_frame;
-float crease_opacity = crease_given.crease_opacity;
-float crease_front_reach = crease_given.crease_front_reach;
-float crease_falloff = crease_given.crease_falloff;
-// SPDX-License-Identifier: MIT
-// The depth of what is not there: further than any radius, and finite, so that its square is too.
-const float crease_background = 1e15;
+#define crease_write(pixel, result) imageStore(crease_output, pixel, crease_encode_visibility(result));
 
-// What crease_view.far_depth is of the distance of the far plane: see set_projection.
-const float crease_far_share = 0.999;
-
-// Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
-ivec2 crease_size(int divisor) { return (ivec2(crease_view.resolution) + divisor - 1) / divisor; }
-
-// Of the depth image in texels, guard band included.
-vec2 crease_depth_size() { return crease_view.resolution + 2.0 * crease_view.guard; }
-
-// Whether texel coordinates lie in the depth image. As whole numbers the bits of what is negative or NaN are greater
-// than those of any size.
-bool crease_inside(vec2 texel) {
-    return all(lessThan(floatBitsToUint(texel), floatBitsToUint(crease_depth_size())));
-}
-
-// What is loaded in place of a texel beside the depth image, where reading would find anything at all.
-const vec2 crease_first_texel = vec2(0.0);
-
-// The texel that stands for a pixel of a picture that is smaller by `divisor`.
-vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
-    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_view.resolution) - 1)) + crease_view.guard;
-}
-// SPDX-License-Identifier: MIT
 // What a pass computes for a pixel.
 struct crease_result {
     float visibility; // 1 open, 0 closed
     float depth;      // positive, linear; crease_background where there is none
 };
 
-crease_result crease_open() { return crease_result(1.0, crease_background); }
-
-crease_result crease_weighted(crease_result result, float weight) {
-    return crease_result(result.visibility * weight, result.depth);
-}
-
-crease_result crease_sum(crease_result a, crease_result b) {
-    return crease_result(a.visibility + b.visibility, a.depth);
-}
-
-// The mean out of a sum of weighted results and the sum of their weights.
-crease_result crease_mean(crease_result sum, float weights, float depth) {
-    return crease_result(sum.visibility / weights, depth);
-}
-// SPDX-License-Identifier: MIT
 // The point whose visibility is asked for.
 struct crease_receiver {
-    ivec2 pixel;   // of the pass's output
-    vec2 texel;    // texel space of the depth image
-    vec3 position; // view space
-    vec3 normal;   // view space, unit
-    vec3 to_eye;   // view space, unit
-    vec3 across, up; // view space, unit: the axes of the disk that faces the eye
-    mat2 disk;       // offsets on that disk, in units of the AO radius, to texels
+    ivec2 pixel;             // of the pass's output
+    vec2 texel;              // texel space of the depth image
+    vec3 position;           // view space
+    vec3 normal;             // view space, unit
+    vec3 to_eye;             // view space, unit
+    vec3 tangent, bitangent; // view space, unit: the axes of the disk that faces the eye
+    mat2 disk;               // from offsets on that disk, in AO radii, to texels
 };
-// SPDX-License-Identifier: MIT
-// A perspective projection, centred or not; depth standard, reversed or infinite: stochastic-depth-ao 4.4.
 
+// Shaders index texels of the whole depth image, guard band included, with texel centres at whole numbers.
+crease_view_parameters crease_view_of(int index) {
+    crease_view_parameters view = crease_given.views[index];
+    view.from_texel.zw += (0.5 - view.guard) * view.from_texel.xy;
+    return view;
+}
+
+// A copy, as some compilers reload uniforms in every iteration.
+crease_view_parameters crease_view = crease_view_of(crease_view_index); // of the camera at work
+
+// The depth texel of a pixel at 1 / divisor of the resolution.
+vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
+    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_view.resolution) - 1)) + crease_view.guard;
+}
+
+// The depth of background: beyond any radius, and finite, so that its square is finite too.
+const float crease_background = 1e15;
+
+// A perspective projection, centred or not; depth standard, reversed or infinite: stochastic-depth-ao 4.4.
 float crease_linear_depth(float device) {
     float inverse = device * crease_view.depth_unpack.x + crease_view.depth_unpack.y;
     return inverse * crease_view.far_depth > 1.0 ? 1.0 / inverse : crease_background; // the far plane occludes nothing
 }
 
-// How far rounding of the depth buffer, and of what is made of it, may bring two depths of one surface apart.
-float crease_depth_rounding(float depth) {
-    return 1.8e-7 * depth * (1.0 + abs(1.0 - depth * crease_view.depth_unpack.y)); // a device depth is 1 / depth less this
+// The depth image holds device depth, as the depth buffer does.
+float crease_depth_at(vec2 texel) {
+    return crease_linear_depth(textureLod(crease_depth, (texel + 0.5) * crease_view.texel_size, 0.0).x);
 }
 
 vec3 crease_view_position(vec2 texel, float depth) {
     return vec3(texel * crease_view.from_texel.xy + crease_view.from_texel.zw, -1.0) * depth;
 }
 
-vec2 crease_texel_at(vec3 position) {
-    return (position.xy / -position.z - crease_view.from_texel.zw) / crease_view.from_texel.xy;
-}
-
 vec3 crease_to_eye(vec3 position) { return -normalize(position); }
 
-void crease_axes(vec3 to_eye, out vec3 across, out vec3 up) {
-    across = normalize(vec3(to_eye.z, 0.0, -to_eye.x));
-    up = cross(to_eye, across);
+void crease_axes(vec3 to_eye, out vec3 tangent, out vec3 bitangent) {
+    tangent = normalize(vec3(to_eye.z, 0.0, -to_eye.x));
+    bitangent = cross(to_eye, tangent);
 }
 
 // Derivative of the projection at `position` along two axes that face the eye, times the radius.
-mat2 crease_disk(vec3 position, vec3 across, vec3 up) {
+mat2 crease_disk(vec3 position, vec3 tangent, vec3 bitangent) {
     vec2 ray = position.xy / -position.z;
     vec2 scale = crease_radius / (-position.z * crease_view.from_texel.xy);
-    return mat2((across.xy + ray * across.z) * scale, (up.xy + ray * up.z) * scale);
+    return mat2((tangent.xy + ray * tangent.z) * scale, (bitangent.xy + ray * bitangent.z) * scale);
 }
-// SPDX-License-Identifier: MIT
-// The depth image holds device depth, as the depth buffer does.
 
-float crease_linear_depth(float device);
-
-float crease_depth_at(vec2 texel) {
-    return crease_linear_depth(textureLod(crease_depth, (texel + 0.5) * crease_view.texel_size, 0.0).x);
+crease_receiver crease_make_receiver(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
+    crease_receiver receiver;
+    receiver.pixel = pixel;
+    receiver.texel = texel;
+    receiver.position = position;
+    receiver.normal = normal;
+    receiver.to_eye = crease_to_eye(position);
+    crease_axes(receiver.to_eye, receiver.tangent, receiver.bitangent);
+    receiver.disk = crease_disk(position, receiver.tangent, receiver.bitangent);
+    return receiver;
 }
-// SPDX-License-Identifier: MIT
-// One layer of depth, that of the receivers.
 
-float crease_depth_at(vec2 texel);
-
-struct crease_layers {
-    float depth;
-};
-
-crease_layers crease_fetch_layers(vec2 texel) { return crease_layers(crease_depth_at(texel)); }
-
-int crease_layer_count() { return 1; }
-
-float crease_layer_depth(crease_layers layers, int layer) { return layers.depth; }
-// SPDX-License-Identifier: MIT
 // The normals image holds view-space normals, facing the camera, of any length; one that has no direction counts as
 // facing the eye.
-
-vec3 crease_to_eye(vec3 position);
-
 vec3 crease_normal_at(vec2 texel, vec3 position) {
     vec3 normal = textureLod(crease_normal, (texel + 0.5) * crease_view.texel_size, 0.0).xyz;
     float squared = dot(normal, normal);
     return squared > 0.0 && squared < 1.0e30 ? normal * inversesqrt(squared) : crease_to_eye(position);
 }
-// SPDX-License-Identifier: MIT
-// Two numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
 
+// The surface in the depth image; false for background.
+bool crease_receive(ivec2 pixel, out crease_receiver receiver) {
+    vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
+    float depth = crease_depth_at(texel);
+    if (!(depth > 0.0 && depth < crease_background))
+        return false;
+    vec3 position = crease_view_position(texel, depth);
+    receiver = crease_make_receiver(pixel, texel, position, crease_normal_at(texel, position));
+    return true;
+}
+
+// Horizons: stochastic-depth-ao, Algorithm 2, with the threshold of 4.4. The Z axis of the paper's figure 4.5 is the
+// direction to the eye.
+struct crease_estimate {
+    float occlusion; // summed over the directions
+    float n_dot_v;   // cosine between the normal and the direction to the eye
+    vec2 on_disk;    // the normal along the axes of the disk
+    vec2 bias;       // cosine and sine of the bias
+    float reach;     // 1 / square of the radius
+};
+
+// What the directions of a receiver sum up to.
+struct crease_gathered {
+    crease_estimate estimate;
+};
+
+// Visibility by strength and exponent: stochastic-depth-ao 8.1.
+float crease_visibility_of(float occlusion) {
+    return pow(clamp(1.0 - occlusion * crease_strength, 0.0, 1.0), crease_exponent);
+}
+
+int crease_direction_count() { return crease_directions_count; }
+
+float crease_estimate_occlusion(crease_estimate estimate) {
+    return estimate.occlusion / float(crease_direction_count());
+}
+
+crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver) {
+    return crease_result(crease_visibility_of(crease_estimate_occlusion(gathered.estimate)), -receiver.position.z);
+}
+
+// Directions that divide the circle evenly, and steps that grow by a power of their index; both start at a random
+// offset per pixel: stochastic-depth-ao, Algorithms 2 and 3.
+struct crease_pattern {
+    vec2 direction; // unit, on the disk that faces the eye
+    vec2 first;     // texels: where the march begins; rounded down it is the texel
+    vec2 march;     // texels at one step; all steps together reach the radius or the picture's edge
+    float share;    // of the radius, that the march covers
+    float offset;   // of step 0, in steps
+    float nearest;  // radii that make a texel, in the root mean square over the directions on the screen
+};
+
+// Two numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
 uvec3 crease_hashed_noise_mix(uvec3 v) {
     v = v * 1664525u + 1013904223u;
     v += v.yzx * v.zxy;
@@ -197,55 +188,51 @@ uvec3 crease_hashed_noise_mix(uvec3 v) {
 vec2 crease_noise(ivec2 pixel) {
     return vec2(crease_hashed_noise_mix(uvec3(uvec2(pixel), crease_frame)).xy >> 8u) * (1.0 / 16777216.0);
 }
-// SPDX-License-Identifier: MIT
-// A tap on the screen, at the centre of a texel.
-struct crease_tap {
-    vec2 texel;
-    bool inside;  // whether the texel is in the depth image; else it has no weight
-    float weight; // of the tap among those of the receiver, in a mean over the distances or the area around it
-};
-// SPDX-License-Identifier: MIT
-// How much of a way across the depth image stays in it, from 0 to 1: a march is cut at the picture's edge, so that a radius
-// that is larger than the picture still finds what is there. `from` and `way` in texels, edges being whole numbers.
-float crease_share_inside(vec2 from, vec2 way) {
-    vec2 after = crease_depth_size() - from;
-    vec2 share = vec2(way.x < 0.0 ? from.x : after.x, way.y < 0.0 ? from.y : after.y) * abs(1.0 / way);
-    return clamp(min(share.x, share.y), 0.0, 1.0);
-}
-// SPDX-License-Identifier: MIT
-// Directions that divide the circle evenly, and steps that grow by a power of their index; both start at a random offset
-// per pixel: stochastic-depth-ao, Algorithms 2 and 3.
-
-vec2 crease_noise(ivec2 pixel);
-float crease_share_inside(vec2 from, vec2 way);
-
-struct crease_pattern {
-    vec2 direction; // unit, on the disk that faces the eye
-    vec2 first;     // texels: where the march begins; rounded down it is the texel
-    vec2 march;     // texels: of a step of 1; of all steps together to the radius or the picture's edge
-    float share;    // of the radius, that the march covers
-    float offset;   // of step 0, in steps
-    float nearest;  // radii that make a texel, in the root mean square over the directions on the screen
-};
 
 float crease_directions_angle() { return 6.28318531 / float(crease_directions_count); }
 
 crease_pattern crease_pattern_begin(crease_receiver receiver) {
     vec2 noise = crease_noise(receiver.pixel);
     float angle = noise.x * crease_directions_angle();
-    // In each direction more than 1 / sqrt(2) of the texels that it says, so no tap falls on the receiver itself.
+    // A texel in the root mean square over all directions is at least 1 / sqrt(2) of a texel in each, so no tap falls
+    // on the receiver itself.
     float texels = abs(determinant(receiver.disk)) *
         inversesqrt(0.5 * (dot(receiver.disk[0], receiver.disk[0]) + dot(receiver.disk[1], receiver.disk[1])));
     return crease_pattern(vec2(cos(angle), sin(angle)), vec2(0.0), vec2(0.0), 1.0, noise.y, 1.0 / texels);
 }
 
-int crease_direction_count() { return crease_directions_count; }
+crease_estimate crease_estimate_begin(crease_receiver receiver) {
+    vec2 on_disk = vec2(dot(receiver.normal, receiver.tangent), dot(receiver.normal, receiver.bitangent));
+    return crease_estimate(0.0, dot(receiver.normal, receiver.to_eye), on_disk,
+                           vec2(cos(crease_hbao_bias), sin(crease_hbao_bias)), 1.0 / (crease_radius * crease_radius));
+}
+
+crease_gathered crease_begin_gathering(crease_receiver receiver) {
+    return crease_gathered(crease_estimate_begin(receiver));
+}
 
 int crease_step_count() { return crease_directions_steps; }
 
-vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) {
+const int crease_most_layers = 1;
+
+// Unroll fully up to this many layer fetches; otherwise unroll one direction if it fits.
+const int crease_most_unrolled = 128;
+
+// Size of the depth image in texels, guard band included.
+vec2 crease_depth_size() { return crease_view.resolution + 2.0 * crease_view.guard; }
+
+// How much of a way across the depth image stays in it, from 0 to 1: a march is cut at the picture's edge, so that a
+// radius that is larger than the picture still finds what is there. `from` and `way` in texels, edges being whole
+// numbers.
+float crease_share_inside(vec2 from, vec2 way) {
+    vec2 after = crease_depth_size() - from;
+    vec2 share = vec2(way.x < 0.0 ? from.x : after.x, way.y < 0.0 ? from.y : after.y) * abs(1.0 / way);
+    return clamp(min(share.x, share.y), 0.0, 1.0);
+}
+
+vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver receiver, int direction) {
     vec2 turn = vec2(cos(crease_directions_angle()), sin(crease_directions_angle()));
-    // Of an even count each other one is the opposite of that before it, with which it shares much of its weighing.
+    // With an even count each second direction is the opposite of the one before, with which it shares arithmetic.
     bool opposite = crease_directions_count % 2 == 0 && direction % 2 == 1;
     pattern.direction = opposite ? -pattern.direction
                                  : vec2(turn.x * pattern.direction.x - turn.y * pattern.direction.y,
@@ -258,6 +245,52 @@ vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver,
     return pattern.direction;
 }
 
+// A direction.
+struct crease_march {
+    float occlusion; // summed over the taps
+    float rise;      // of the horizon: sin(horizon) - sin(tangent)
+    float sin_tangent;
+    float cos_tangent;
+    float n_dot_v;
+    vec2 bias;
+    float reach;
+};
+
+crease_march crease_begin_direction(crease_estimate estimate, crease_receiver receiver, vec2 direction) {
+    float along = dot(estimate.on_disk, direction);
+    float inverse = inversesqrt(max(along * along + estimate.n_dot_v * estimate.n_dot_v, 1e-12));
+    float sin_tangent = -along * inverse, cos_tangent = estimate.n_dot_v * inverse;
+    // The horizon begins at the tangent plus the bias, at most at a right angle.
+    float start = cos_tangent * estimate.bias.x < sin_tangent * estimate.bias.y
+        ? 1.0
+        : sin_tangent * estimate.bias.x + cos_tangent * estimate.bias.y;
+    return crease_march(0.0, start - sin_tangent, sin_tangent, cos_tangent, estimate.n_dot_v, estimate.bias,
+                        estimate.reach);
+}
+const int crease_batch_size = 4;
+
+// A tap on the screen, at the centre of a texel.
+struct crease_tap {
+    vec2 texel;
+    bool inside;  // whether the texel is in the depth image; else it has no weight
+    float weight; // of the tap among those of the receiver, in a mean over the distances or the area around it
+};
+
+// One layer, the depth image's.
+struct crease_layers {
+    vec2 texel;
+    float depth;
+};
+
+struct crease_fetched {
+    crease_layers layers;
+};
+
+// Whether texel coordinates lie inside the depth image. Compares bits: those of negative numbers and NaN exceed any size's.
+bool crease_inside(vec2 texel) {
+    return all(lessThan(floatBitsToUint(texel), floatBitsToUint(crease_depth_size())));
+}
+
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
     float along = float(step) + pattern.offset, density = 1.0; // by how much the steps grow there
     for (int i = 1; i < crease_directions_power; ++i)
@@ -265,290 +298,137 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     vec2 texel = floor(pattern.first + pattern.march * (along * density));
     return crease_tap(texel, crease_inside(texel), pattern.share * density);
 }
-// SPDX-License-Identifier: MIT
-// Horizons: stochastic-depth-ao, Algorithm 2, with the threshold of 4.4. The Z axis of the paper's figure 4.5 is the
-// direction to the eye.
 
-int crease_direction_count();
+crease_layers crease_fetch_layers(vec2 texel) { return crease_layers(texel, crease_depth_at(texel)); }
 
-struct crease_estimate {
-    float occlusion;   // summed over the directions
-    float rise;        // of this direction's horizon: sin(horizon) - sin(tangent)
-    float sin_tangent; // of this direction
-    float cos_tangent;
-    float n_dot_v;     // cosine between the normal and the direction to the eye
-    vec2 on_disk;      // the normal along the axes of the disk
-    vec2 bias;         // cosine and sine of the bias
-    float reach;       // 1 / square of the radius
-};
+// Fetches the layers that are worth fetching before any is weighed: by default all.
+crease_layers crease_fetch_first_layers(vec2 texel) { return crease_fetch_layers(texel); }
+
+crease_fetched crease_fetch(vec2 texel) { return crease_fetched(crease_fetch_first_layers(texel)); }
 
 struct crease_contribution {
     float occlusion;
-    float rise;
+    float rise; // of the horizon after it
 };
 
-crease_estimate crease_estimate_begin(crease_receiver receiver) {
-    vec2 on_disk = vec2(dot(receiver.normal, receiver.across), dot(receiver.normal, receiver.up));
-    return crease_estimate(0.0, 0.0, 0.0, 0.0, dot(receiver.normal, receiver.to_eye), on_disk,
-                           vec2(cos(crease_bias), sin(crease_bias)), 1.0 / (crease_radius * crease_radius));
+void crease_add(inout crease_march march, crease_contribution contribution) {
+    march.occlusion += contribution.occlusion;
+    march.rise = contribution.rise;
 }
 
-void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {
-    float along = dot(estimate.on_disk, direction);
-    float inverse = inversesqrt(max(along * along + estimate.n_dot_v * estimate.n_dot_v, 1e-12));
-    estimate.sin_tangent = -along * inverse;
-    estimate.cos_tangent = estimate.n_dot_v * inverse;
-    // The horizon begins at the tangent plus the bias, at most at a right angle.
-    float start = estimate.cos_tangent * estimate.bias.x < estimate.sin_tangent * estimate.bias.y
-        ? 1.0
-        : estimate.sin_tangent * estimate.bias.x + estimate.cos_tangent * estimate.bias.y;
-    estimate.rise = start - estimate.sin_tangent;
-}
+// A surface at a texel.
+struct crease_layer {
+    vec3 position; // view space
+    float texels;  // it stands for: 1, or the number of texels of an area
+};
 
-// sin(horizon) - sin(tangent) of a tap, both in the slice of the eye and the tap itself, which its texel moves off the
-// marched direction: so a plane is unoccluded at every slant.
-float crease_hbao_rise(crease_estimate estimate, crease_receiver receiver, vec3 to_tap, float squared, float height) {
-    float towards = dot(to_tap, receiver.to_eye);
-    float along = height - estimate.n_dot_v * towards; // of the normal, across the ray to the eye, times the distance
-    float across = estimate.n_dot_v * estimate.n_dot_v * (squared - towards * towards);
+// sin(horizon) - sin(tangent) of a layer, both in the plane of the eye and the layer itself: that is not quite the
+// plane of the march, as a tap lies at the centre of its texel, and so a plane is unoccluded at every slant.
+float crease_hbao_rise(crease_march march, crease_receiver receiver, vec3 to_layer, float squared, float height) {
+    float towards = dot(to_layer, receiver.to_eye);
+    float along = height - march.n_dot_v * towards; // of the normal, across the ray to the eye, times the distance
+    float across = march.n_dot_v * march.n_dot_v * (squared - towards * towards);
     float away = sqrt(squared), in_slice = sqrt(along * along + across);
     return (towards * in_slice + along * away) / (away * in_slice);
 }
 
-crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
-    vec3 to_tap = position - receiver.position;
-    float squared = dot(to_tap, to_tap);
-    float height = dot(to_tap, receiver.normal);
-    float rise = crease_hbao_rise(estimate, receiver, to_tap, squared, height);
-    float falloff = 1.0 - squared * estimate.reach;
+crease_contribution crease_weigh(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer layer) {
+    vec3 to_layer = layer.position - receiver.position;
+    float squared = dot(to_layer, to_layer);
+    float height = dot(to_layer, receiver.normal);
+    float rise = crease_hbao_rise(march, receiver, to_layer, squared, height);
+    float falloff = 1.0 - squared * march.reach;
     bool counts =
-        tap.inside && rise > estimate.rise && falloff > 0.0 && height > crease_threshold * sqrt(squared);
-    return counts ? crease_contribution(falloff * (rise - estimate.rise), rise)
-                  : crease_contribution(0.0, estimate.rise);
+        tap.inside && rise > march.rise && falloff > 0.0 && height > crease_hbao_threshold * sqrt(squared);
+    return counts ? crease_contribution(falloff * (rise - march.rise), rise) : crease_contribution(0.0, march.rise);
 }
 
-void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {
-    estimate.occlusion += contribution.occlusion;
-    estimate.rise = contribution.rise;
+crease_layer crease_layer_at(crease_layers layers, int i) {
+    return crease_layer(crease_view_position(layers.texel, layers.depth), 1.0);
 }
 
-float crease_estimate_occlusion(crease_estimate estimate) {
-    return estimate.occlusion / float(crease_direction_count());
+crease_contribution crease_combine_first_layers(crease_march march, crease_receiver receiver, crease_tap tap,
+                                                crease_layers layers) {
+    return crease_weigh(march, receiver, tap, crease_layer_at(layers, 0));
 }
-// SPDX-License-Identifier: MIT
-// Of what is gathered the occlusion, and nothing else.
 
-struct crease_gathered {
-    float occlusion;
-};
-
-crease_gathered crease_gathered_begin() { return crease_gathered(0.0); }
-
-void crease_gathered_tap(inout crease_gathered gathered, crease_receiver receiver, crease_tap tap,
-                         crease_contribution contribution) {}
-
-void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiver, crease_estimate estimate,
-                          vec2 direction) {}
-
-void crease_gathered_end(inout crease_gathered gathered, crease_receiver receiver) {}
-
-crease_gathered crease_gathered_turned_back(crease_gathered gathered, mat3 turn) { return gathered; }
-// SPDX-License-Identifier: MIT
-// The visibility of a receiver and nothing else.
-
-float crease_visibility_of(float occlusion);
-
-crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver) {
-    return crease_result(crease_visibility_of(gathered.occlusion), -receiver.position.z);
+void crease_traverse(inout crease_march march, crease_receiver receiver, crease_tap tap, crease_fetched fetched) {
+    crease_add(march, crease_combine_first_layers(march, receiver, tap, fetched.layers));
 }
-// SPDX-License-Identifier: MIT
-// The layers of a tap count as the one that occludes the most: stochastic-depth-ao 6.2, a-buffer-ssao III A.
 
-int crease_layer_count();
-float crease_layer_depth(crease_layers layers, int layer);
-vec3 crease_view_position(vec2 texel, float depth);
-crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position);
-
-crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
-                                crease_layers layers) {
-    crease_contribution most = crease_weigh(
-        estimate, receiver, tap, crease_view_position(tap.texel, crease_layer_depth(layers, 0)));
-    crease_unroll for (int layer = 1; layer < crease_layer_count(); ++layer) {
-        crease_contribution other = crease_weigh(
-            estimate, receiver, tap, crease_view_position(tap.texel, crease_layer_depth(layers, layer)));
-        if (other.occlusion > most.occlusion)
-            most = other;
-    }
-    return most;
-}
-// SPDX-License-Identifier: MIT
-// Taps of a direction that are asked for together.
-
-crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
-crease_layers crease_fetch_layers(vec2 texel); // of any texel: beside the depth image what does not count
-
-const int crease_batch_size = 4;
-
-// Taps whose layers are fetched before any is weighed, so that the waits overlap.
-struct crease_batch {
+// Fetches a batch of taps before any is weighed, so that their latencies overlap.
+void crease_gather_taps(inout crease_march march, inout crease_pattern pattern, crease_receiver receiver, int first) {
     crease_tap taps[crease_batch_size];
-    crease_layers layers[crease_batch_size];
-};
-
-crease_batch crease_ask(inout crease_pattern pattern, crease_receiver receiver, int first, int count) {
-    crease_batch batch;
+    crease_fetched fetched[crease_batch_size];
+    int count = crease_step_count() % crease_batch_size == 0 ? crease_batch_size : crease_step_count() - first;
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count) {
-            batch.taps[i] = crease_pattern_tap(pattern, receiver, first + i);
-            batch.layers[i] = crease_fetch_layers(batch.taps[i].texel);
+            taps[i] = crease_pattern_tap(pattern, receiver, first + i);
+            fetched[i] = crease_fetch(taps[i].texel);
         }
-    return batch;
-}
-// SPDX-License-Identifier: MIT
-// The loop of every technique: each tap of the sampler, each layer of the depth source, weighed by the estimator.
-
-crease_pattern crease_pattern_begin(crease_receiver receiver);
-int crease_direction_count();
-int crease_step_count();
-int crease_layer_count();
-vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
-crease_batch crease_ask(inout crease_pattern pattern, crease_receiver receiver, int first, int count);
-crease_estimate crease_estimate_begin(crease_receiver receiver);
-void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);
-crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
-                                crease_layers layers);
-void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
-float crease_estimate_occlusion(crease_estimate estimate);
-crease_gathered crease_gathered_begin();
-void crease_gathered_tap(inout crease_gathered gathered, crease_receiver receiver, crease_tap tap,
-                         crease_contribution contribution);
-void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiver, crease_estimate estimate,
-                          vec2 direction);
-void crease_gathered_end(inout crease_gathered gathered, crease_receiver receiver);
-
-// No loop is left where it is short, as a loop costs some drivers dearly: of all directions or else of one, up to so many
-// layers of the taps.
-const int crease_written_out = 128;
-
-int crease_layers_of_direction() { return crease_step_count() * crease_layer_count(); }
-
-void crease_gather_batch(inout crease_estimate estimate, inout crease_gathered gathered, inout crease_pattern pattern,
-                         crease_receiver receiver, int first, int count) {
-    crease_batch batch = crease_ask(pattern, receiver, first, count);
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
-        if (i < count) {
-            crease_contribution contribution = crease_fold(estimate, receiver, batch.taps[i], batch.layers[i]);
-            crease_estimate_add(estimate, contribution);
-            crease_gathered_tap(gathered, receiver, batch.taps[i], contribution);
-        }
+        if (i < count)
+            crease_traverse(march, receiver, taps[i], fetched[i]);
 }
 
-void crease_gather_direction(inout crease_estimate estimate, inout crease_gathered gathered,
-                             inout crease_pattern pattern, crease_receiver receiver, int i) {
-    vec2 direction = crease_pattern_turn(pattern, receiver, i);
-    crease_estimate_turn(estimate, direction);
-    int rest = crease_step_count() % crease_batch_size, whole = crease_step_count() - rest;
-    if (crease_layers_of_direction() <= crease_written_out) {
-        crease_unroll for (int step = 0; step < whole; step += crease_batch_size)
-            crease_gather_batch(estimate, gathered, pattern, receiver, step, crease_batch_size);
+void crease_end_direction(inout crease_estimate estimate, crease_march march) { estimate.occlusion += march.occlusion; }
+
+void crease_close_direction(inout crease_gathered gathered, crease_march march, crease_receiver receiver,
+                            vec2 direction) {
+    crease_end_direction(gathered.estimate, march);
+}
+
+void crease_gather_direction(inout crease_gathered gathered, inout crease_pattern pattern, crease_receiver receiver,
+                             int i) {
+    vec2 direction = crease_pattern_direction(pattern, receiver, i);
+    crease_march march = crease_begin_direction(gathered.estimate, receiver, direction);
+    if (crease_step_count() * crease_most_layers <= crease_most_unrolled) {
+        crease_unroll for (int step = 0; step < crease_step_count(); step += crease_batch_size)
+            crease_gather_taps(march, pattern, receiver, step);
     } else {
-        for (int step = 0; step < whole; step += crease_batch_size)
-            crease_gather_batch(estimate, gathered, pattern, receiver, step, crease_batch_size);
+        for (int step = 0; step < crease_step_count(); step += crease_batch_size)
+            crease_gather_taps(march, pattern, receiver, step);
     }
-    if (rest > 0)
-        crease_gather_batch(estimate, gathered, pattern, receiver, whole, rest);
-    crease_gathered_turn(gathered, receiver, estimate, direction);
+    crease_close_direction(gathered, march, receiver, direction);
 }
 
+// Every technique: for each direction and tap of the sampler, each layer of the depth source, weighed by the estimator.
 crease_gathered crease_gather(crease_receiver receiver) {
     crease_pattern pattern = crease_pattern_begin(receiver);
-    crease_estimate estimate = crease_estimate_begin(receiver);
-    crease_gathered gathered = crease_gathered_begin();
-    if (crease_direction_count() * crease_layers_of_direction() <= crease_written_out) {
+    crease_gathered gathered = crease_begin_gathering(receiver);
+    if (crease_direction_count() * crease_step_count() * crease_most_layers <= crease_most_unrolled) {
         crease_unroll for (int i = 0; i < crease_direction_count(); ++i)
-            crease_gather_direction(estimate, gathered, pattern, receiver, i);
+            crease_gather_direction(gathered, pattern, receiver, i);
     } else {
         for (int i = 0; i < crease_direction_count(); ++i)
-            crease_gather_direction(estimate, gathered, pattern, receiver, i);
+            crease_gather_direction(gathered, pattern, receiver, i);
     }
-    gathered.occlusion = crease_estimate_occlusion(estimate);
-    crease_gathered_end(gathered, receiver);
     return gathered;
 }
-// SPDX-License-Identifier: MIT
-// Visibility by strength and exponent: stochastic-depth-ao 8.1.
-float crease_visibility_of(float occlusion) {
-    return pow(clamp(1.0 - occlusion * crease_strength, 0.0, 1.0), crease_exponent);
-}
-// SPDX-License-Identifier: MIT
-// Where a receiver stands, and how it looks around.
 
-vec3 crease_to_eye(vec3 position);
-void crease_axes(vec3 to_eye, out vec3 across, out vec3 up);
-mat2 crease_disk(vec3 position, vec3 across, vec3 up);
-float crease_depth_at(vec2 texel);
-vec3 crease_view_position(vec2 texel, float depth);
-vec3 crease_normal_at(vec2 texel, vec3 position);
-
-crease_receiver crease_receiver_at(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
-    crease_receiver receiver;
-    receiver.pixel = pixel;
-    receiver.texel = texel;
-    receiver.position = position;
-    receiver.normal = normal;
-    receiver.to_eye = crease_to_eye(position);
-    crease_axes(receiver.to_eye, receiver.across, receiver.up);
-    receiver.disk = crease_disk(position, receiver.across, receiver.up);
-    return receiver;
+crease_result crease_result_of(crease_receiver receiver) {
+    return crease_conclude(crease_gather(receiver), receiver);
 }
 
-// The receiver that a pixel of the main pass sees; false where there is background.
-bool crease_receive(ivec2 pixel, out crease_receiver receiver) {
-    vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
-    float depth = crease_depth_at(texel);
-    if (!(depth > 0.0 && depth < crease_background))
-        return false;
-    vec3 position = crease_view_position(texel, depth);
-    receiver = crease_receiver_at(pixel, texel, position, crease_normal_at(texel, position));
-    return true;
-}
-// SPDX-License-Identifier: MIT
-// Visibility alone.
-vec4 crease_encode_visibility(crease_result result) { return vec4(result.visibility); }
-// SPDX-License-Identifier: MIT
-// The result of a pixel of the main pass.
-
-bool crease_receive(ivec2 pixel, out crease_receiver receiver);
-crease_gathered crease_gather(crease_receiver receiver);
-crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver);
-crease_result crease_open();
+crease_result crease_open_result() { return crease_result(1.0, crease_background); }
 
 crease_result crease_evaluate(ivec2 pixel) {
     crease_receiver receiver;
-    return crease_receive(pixel, receiver) ? crease_conclude(crease_gather(receiver), receiver) : crease_open();
+    return crease_receive(pixel, receiver) ? crease_result_of(receiver) : crease_open_result();
 }
-// SPDX-License-Identifier: MIT
-crease_result crease_evaluate(ivec2 pixel);
 
-// The workgroup's place: in rows, or in columns that are so many wide, as a texel has left the cache when a row of a large
-// picture comes to it again. Quotients are of floats, as many devices have none of whole numbers.
-uvec2 crease_workgroup() {
-    uvec2 place = gl_WorkGroupID.xy;
-    if (crease_workgroup_columns > 0) {
-        const float width = float(crease_workgroup_columns);
-        vec2 groups = vec2(uvec2(crease_size(crease_divisor) - 1) / gl_WorkGroupSize.xy + 1u);
-        float index = float(place.y) * groups.x + float(place.x);
-        float column = floor((index + 0.5) / (width * groups.y)), within = index - column * width * groups.y;
-        float here = min(width, groups.x - column * width), row = floor((within + 0.5) / here);
-        place = uvec2(column * width + within - row * here, row);
-    }
-    return place;
-}
+// Visibility alone.
+vec4 crease_encode_visibility(crease_result result) { return vec4(result.visibility); }
+
+ivec2 crease_pixel() { return ivec2(gl_GlobalInvocationID.xy); }
+
+// Size in texels of an image at 1 / divisor of the resolution, rounded up.
+ivec2 crease_size(int divisor) { return (ivec2(crease_view.resolution) + divisor - 1) / divisor; }
 
 void main() {
-    ivec2 pixel = ivec2(crease_workgroup() * gl_WorkGroupSize.xy + gl_LocalInvocationID.xy);
-    if (all(lessThan(pixel, crease_size(crease_divisor)))) {
-        crease_result result = crease_evaluate(pixel);
-        crease_write(pixel, result)
-    }
+    ivec2 pixel = crease_pixel();
+    if (any(greaterThanEqual(pixel, crease_size(crease_divisor))))
+        return;
+    crease_result result = crease_evaluate(pixel);
+    crease_write(pixel, result)
 }

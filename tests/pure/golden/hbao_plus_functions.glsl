@@ -1,11 +1,11 @@
+// poisson_disk:16/single_layer/hbao_plus/linear_depth/functions:1x4x10, pass visibility; crease 0.1.0, SPDX-License-Identifier: MIT-0
 #define crease_unroll
 layout(constant_id = 10) const int crease_poisson_disk_count = 16;
 const int crease_divisor = 1;
 const int crease_view_index = 0;
 layout(set = 1, binding = 5) uniform sampler2D crease_depth;
 layout(set = 1, binding = 6) uniform sampler2D crease_normal;
-#define crease_parameters_place std140, set = 1, binding = 4
-// SPDX-License-Identifier: MIT
+
 struct crease_view_parameters {
     vec4 from_texel;
     vec2 depth_unpack;
@@ -15,168 +15,142 @@ struct crease_view_parameters {
     vec2 texel_size;
 };
 
-layout(crease_parameters_place) uniform crease_parameters {
-    crease_view_parameters crease_views[2];
-    mat4 crease_second_from_first;
-    float crease_radius;
-    float crease_bias;
-    float crease_threshold;
-    float crease_strength;
-    float crease_exponent;
-    float crease_sharpness;
-    uint crease_frame;
-    float crease_opacity;
-    float crease_front_reach;
-    float crease_falloff;
+layout(std140, set = 1, binding = 4) uniform crease_parameters {
+    crease_view_parameters views[1];
+    float radius;
+    uint frame;
+    float hbao_plus_bias;
+    float strength;
+    float exponent;
 } crease_given;
 
-// A camera as shaders use it: in their texel space whole numbers are the centres of the depth image's texels, those of
-// the guard band too.
-crease_view_parameters crease_view_of(int index) {
-    crease_view_parameters view = crease_given.crease_views[index];
-    view.from_texel.zw += (0.5 - view.guard) * view.from_texel.xy;
-    return view;
-}
+float crease_radius = crease_given.radius;
+uint crease_frame = crease_given.frame;
+float crease_hbao_plus_bias = crease_given.hbao_plus_bias;
+float crease_strength = crease_given.strength;
+float crease_exponent = crease_given.exponent;
 
-// Read once, as not every compiler takes the reading out of a loop.
-crease_view_parameters crease_view = crease_view_of(crease_view_index); // of the camera at work
-float crease_radius = crease_given.crease_radius;
-float crease_bias = crease_given.crease_bias;
-float crease_threshold = crease_given.crease_threshold;
-float crease_strength = crease_given.crease_strength;
-float crease_exponent = crease_given.crease_exponent;
-float crease_sharpness = crease_given.crease_sharpness;
-uint crease_frame = crease_given.crease_frame;
-float crease_opacity = crease_given.crease_opacity;
-float crease_front_reach = crease_given.crease_front_reach;
-float crease_falloff = crease_given.crease_falloff;
-// SPDX-License-Identifier: MIT
-// The depth of what is not there: further than any radius, and finite, so that its square is too.
-const float crease_background = 1e15;
-
-// What crease_view.far_depth is of the distance of the far plane: see set_projection.
-const float crease_far_share = 0.999;
-
-// Size in texels of an image whose sides are the picture's divided by `divisor`, rounded up.
-ivec2 crease_size(int divisor) { return (ivec2(crease_view.resolution) + divisor - 1) / divisor; }
-
-// Of the depth image in texels, guard band included.
-vec2 crease_depth_size() { return crease_view.resolution + 2.0 * crease_view.guard; }
-
-// Whether texel coordinates lie in the depth image. As whole numbers the bits of what is negative or NaN are greater
-// than those of any size.
-bool crease_inside(vec2 texel) {
-    return all(lessThan(floatBitsToUint(texel), floatBitsToUint(crease_depth_size())));
-}
-
-// What is loaded in place of a texel beside the depth image, where reading would find anything at all.
-const vec2 crease_first_texel = vec2(0.0);
-
-// The texel that stands for a pixel of a picture that is smaller by `divisor`.
-vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
-    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_view.resolution) - 1)) + crease_view.guard;
-}
-// SPDX-License-Identifier: MIT
 // What a pass computes for a pixel.
 struct crease_result {
     float visibility; // 1 open, 0 closed
     float depth;      // positive, linear; crease_background where there is none
 };
 
-crease_result crease_open() { return crease_result(1.0, crease_background); }
-
-crease_result crease_weighted(crease_result result, float weight) {
-    return crease_result(result.visibility * weight, result.depth);
-}
-
-crease_result crease_sum(crease_result a, crease_result b) {
-    return crease_result(a.visibility + b.visibility, a.depth);
-}
-
-// The mean out of a sum of weighted results and the sum of their weights.
-crease_result crease_mean(crease_result sum, float weights, float depth) {
-    return crease_result(sum.visibility / weights, depth);
-}
-// SPDX-License-Identifier: MIT
 // The point whose visibility is asked for.
 struct crease_receiver {
-    ivec2 pixel;   // of the pass's output
-    vec2 texel;    // texel space of the depth image
-    vec3 position; // view space
-    vec3 normal;   // view space, unit
-    vec3 to_eye;   // view space, unit
-    vec3 across, up; // view space, unit: the axes of the disk that faces the eye
-    mat2 disk;       // offsets on that disk, in units of the AO radius, to texels
+    ivec2 pixel;             // of the pass's output
+    vec2 texel;              // texel space of the depth image
+    vec3 position;           // view space
+    vec3 normal;             // view space, unit
+    vec3 to_eye;             // view space, unit
+    vec3 tangent, bitangent; // view space, unit: the axes of the disk that faces the eye
+    mat2 disk;               // from offsets on that disk, in AO radii, to texels
 };
-// SPDX-License-Identifier: MIT
-// A perspective projection, centred or not; depth standard, reversed or infinite: stochastic-depth-ao 4.4.
 
-float crease_linear_depth(float device) {
-    float inverse = device * crease_view.depth_unpack.x + crease_view.depth_unpack.y;
-    return inverse * crease_view.far_depth > 1.0 ? 1.0 / inverse : crease_background; // the far plane occludes nothing
+// Shaders index texels of the whole depth image, guard band included, with texel centres at whole numbers.
+crease_view_parameters crease_view_of(int index) {
+    crease_view_parameters view = crease_given.views[index];
+    view.from_texel.zw += (0.5 - view.guard) * view.from_texel.xy;
+    return view;
 }
 
-// How far rounding of the depth buffer, and of what is made of it, may bring two depths of one surface apart.
-float crease_depth_rounding(float depth) {
-    return 1.8e-7 * depth * (1.0 + abs(1.0 - depth * crease_view.depth_unpack.y)); // a device depth is 1 / depth less this
+// A copy, as some compilers reload uniforms in every iteration.
+crease_view_parameters crease_view = crease_view_of(crease_view_index); // of the camera at work
+
+// The depth texel of a pixel at 1 / divisor of the resolution.
+vec2 crease_texel_of_pixel(ivec2 pixel, int divisor) {
+    return vec2(min(pixel * divisor + (divisor - 1) / 2, ivec2(crease_view.resolution) - 1)) + crease_view.guard;
+}
+
+// The depth of background: beyond any radius, and finite, so that its square is finite too.
+const float crease_background = 1e15;
+
+// The depth image holds positive linear view depth.
+float crease_depth_at(vec2 texel) {
+    float depth = textureLod(crease_depth, (texel + 0.5) * crease_view.texel_size, 0.0).x;
+    return depth > 0.0 && depth < crease_view.far_depth ? depth : crease_background; // 0 is a hole, not a surface at the eye
 }
 
 vec3 crease_view_position(vec2 texel, float depth) {
     return vec3(texel * crease_view.from_texel.xy + crease_view.from_texel.zw, -1.0) * depth;
 }
 
-vec2 crease_texel_at(vec3 position) {
-    return (position.xy / -position.z - crease_view.from_texel.zw) / crease_view.from_texel.xy;
-}
-
 vec3 crease_to_eye(vec3 position) { return -normalize(position); }
 
-void crease_axes(vec3 to_eye, out vec3 across, out vec3 up) {
-    across = normalize(vec3(to_eye.z, 0.0, -to_eye.x));
-    up = cross(to_eye, across);
+void crease_axes(vec3 to_eye, out vec3 tangent, out vec3 bitangent) {
+    tangent = normalize(vec3(to_eye.z, 0.0, -to_eye.x));
+    bitangent = cross(to_eye, tangent);
 }
 
 // Derivative of the projection at `position` along two axes that face the eye, times the radius.
-mat2 crease_disk(vec3 position, vec3 across, vec3 up) {
+mat2 crease_disk(vec3 position, vec3 tangent, vec3 bitangent) {
     vec2 ray = position.xy / -position.z;
     vec2 scale = crease_radius / (-position.z * crease_view.from_texel.xy);
-    return mat2((across.xy + ray * across.z) * scale, (up.xy + ray * up.z) * scale);
+    return mat2((tangent.xy + ray * tangent.z) * scale, (bitangent.xy + ray * bitangent.z) * scale);
 }
-// SPDX-License-Identifier: MIT
-// The depth image holds positive linear view depth.
 
-float crease_depth_at(vec2 texel) {
-    float depth = textureLod(crease_depth, (texel + 0.5) * crease_view.texel_size, 0.0).x;
-    return depth > 0.0 && depth < crease_view.far_depth ? depth : crease_background; // a hole is no occluder at the eye
+crease_receiver crease_make_receiver(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
+    crease_receiver receiver;
+    receiver.pixel = pixel;
+    receiver.texel = texel;
+    receiver.position = position;
+    receiver.normal = normal;
+    receiver.to_eye = crease_to_eye(position);
+    crease_axes(receiver.to_eye, receiver.tangent, receiver.bitangent);
+    receiver.disk = crease_disk(position, receiver.tangent, receiver.bitangent);
+    return receiver;
 }
-// SPDX-License-Identifier: MIT
-// One layer of depth, that of the receivers.
 
-float crease_depth_at(vec2 texel);
-
-struct crease_layers {
-    float depth;
-};
-
-crease_layers crease_fetch_layers(vec2 texel) { return crease_layers(crease_depth_at(texel)); }
-
-int crease_layer_count() { return 1; }
-
-float crease_layer_depth(crease_layers layers, int layer) { return layers.depth; }
-// SPDX-License-Identifier: MIT
 // The normals image holds view-space normals, facing the camera, of any length; one that has no direction counts as
 // facing the eye.
-
-vec3 crease_to_eye(vec3 position);
-
 vec3 crease_normal_at(vec2 texel, vec3 position) {
     vec3 normal = textureLod(crease_normal, (texel + 0.5) * crease_view.texel_size, 0.0).xyz;
     float squared = dot(normal, normal);
     return squared > 0.0 && squared < 1.0e30 ? normal * inversesqrt(squared) : crease_to_eye(position);
 }
-// SPDX-License-Identifier: MIT
-// Two numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
 
+// The surface in the depth image; false for background.
+bool crease_receive(ivec2 pixel, out crease_receiver receiver) {
+    vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
+    float depth = crease_depth_at(texel);
+    if (!(depth > 0.0 && depth < crease_background))
+        return false;
+    vec3 position = crease_view_position(texel, depth);
+    receiver = crease_make_receiver(pixel, texel, position, crease_normal_at(texel, position));
+    return true;
+}
+
+// Taps projected onto the normal: stochastic-depth-ao, Algorithm 3.
+struct crease_estimate {
+    float occlusion; // summed over the taps
+    float weights;
+    float reach;     // 1 / square of the radius
+};
+
+// What the directions of a receiver sum up to.
+struct crease_gathered {
+    crease_estimate estimate;
+};
+
+// Visibility by strength and exponent: stochastic-depth-ao 8.1.
+float crease_visibility_of(float occlusion) {
+    return pow(clamp(1.0 - occlusion * crease_strength, 0.0, 1.0), crease_exponent);
+}
+
+float crease_estimate_occlusion(crease_estimate estimate) { return estimate.occlusion / max(estimate.weights, 1e-20); }
+
+crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver) {
+    return crease_result(crease_visibility_of(crease_estimate_occlusion(gathered.estimate)), -receiver.position.z);
+}
+
+// A disk of points that keep apart: a spiral of golden angles, on which no two of N points are nearer to each other
+// than 1 / sqrt(N) of the radius, for every N. It is turned, and its radii are shifted, at random per pixel.
+struct crease_pattern {
+    vec2 direction; // unit, on the disk that faces the eye
+    float offset;   // of the first radius
+};
+
+// Two numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
 uvec3 crease_hashed_noise_mix(uvec3 v) {
     v = v * 1664525u + 1013904223u;
     v += v.yzx * v.zxy;
@@ -188,32 +162,6 @@ uvec3 crease_hashed_noise_mix(uvec3 v) {
 vec2 crease_noise(ivec2 pixel) {
     return vec2(crease_hashed_noise_mix(uvec3(uvec2(pixel), crease_frame)).xy >> 8u) * (1.0 / 16777216.0);
 }
-// SPDX-License-Identifier: MIT
-// A tap on the screen, at the centre of a texel.
-struct crease_tap {
-    vec2 texel;
-    bool inside;  // whether the texel is in the depth image; else it has no weight
-    float weight; // of the tap among those of the receiver, in a mean over the distances or the area around it
-};
-// SPDX-License-Identifier: MIT
-// How much of a way across the depth image stays in it, from 0 to 1: a march is cut at the picture's edge, so that a radius
-// that is larger than the picture still finds what is there. `from` and `way` in texels, edges being whole numbers.
-float crease_share_inside(vec2 from, vec2 way) {
-    vec2 after = crease_depth_size() - from;
-    vec2 share = vec2(way.x < 0.0 ? from.x : after.x, way.y < 0.0 ? from.y : after.y) * abs(1.0 / way);
-    return clamp(min(share.x, share.y), 0.0, 1.0);
-}
-// SPDX-License-Identifier: MIT
-// A disk of points that keep apart: a spiral of golden angles, on which no two of N points are nearer to each other
-// than 1 / sqrt(N) of the radius, for every N. It is turned, and its radii are shifted, at random per pixel.
-
-vec2 crease_noise(ivec2 pixel);
-float crease_share_inside(vec2 from, vec2 way);
-
-struct crease_pattern {
-    vec2 direction; // unit, on the disk that faces the eye
-    float offset;   // of the first radius
-};
 
 crease_pattern crease_pattern_begin(crease_receiver receiver) {
     vec2 noise = crease_noise(receiver.pixel);
@@ -221,11 +169,71 @@ crease_pattern crease_pattern_begin(crease_receiver receiver) {
     return crease_pattern(vec2(cos(angle), sin(angle)), noise.y);
 }
 
+crease_estimate crease_estimate_begin(crease_receiver receiver) {
+    return crease_estimate(0.0, 0.0, 1.0 / (crease_radius * crease_radius));
+}
+
+crease_gathered crease_begin_gathering(crease_receiver receiver) {
+    return crease_gathered(crease_estimate_begin(receiver));
+}
+
 int crease_direction_count() { return 1; }
 
 int crease_step_count() { return crease_poisson_disk_count; }
 
-vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
+const int crease_most_layers = 1;
+
+// Unroll fully up to this many layer fetches; otherwise unroll one direction if it fits.
+const int crease_most_unrolled = 128;
+
+vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
+
+// A direction.
+struct crease_march {
+    float occlusion;
+    float weights;
+    float highest; // cosine between the normal and the way to a layer less the bias, where that occludes
+    float reach;
+};
+
+crease_march crease_begin_direction(crease_estimate estimate, crease_receiver receiver, vec2 direction) {
+    return crease_march(0.0, 0.0, 0.0, estimate.reach);
+}
+const int crease_batch_size = 4;
+
+// A tap on the screen, at the centre of a texel.
+struct crease_tap {
+    vec2 texel;
+    bool inside;  // whether the texel is in the depth image; else it has no weight
+    float weight; // of the tap among those of the receiver, in a mean over the distances or the area around it
+};
+
+// One layer, the depth image's.
+struct crease_layers {
+    vec2 texel;
+    float depth;
+};
+
+struct crease_fetched {
+    crease_layers layers;
+};
+
+// Size of the depth image in texels, guard band included.
+vec2 crease_depth_size() { return crease_view.resolution + 2.0 * crease_view.guard; }
+
+// How much of a way across the depth image stays in it, from 0 to 1: a march is cut at the picture's edge, so that a
+// radius that is larger than the picture still finds what is there. `from` and `way` in texels, edges being whole
+// numbers.
+float crease_share_inside(vec2 from, vec2 way) {
+    vec2 after = crease_depth_size() - from;
+    vec2 share = vec2(way.x < 0.0 ? from.x : after.x, way.y < 0.0 ? from.y : after.y) * abs(1.0 / way);
+    return clamp(min(share.x, share.y), 0.0, 1.0);
+}
+
+// Whether texel coordinates lie inside the depth image. Compares bits: those of negative numbers and NaN exceed any size's.
+bool crease_inside(vec2 texel) {
+    return all(lessThan(floatBitsToUint(texel), floatBitsToUint(crease_depth_size())));
+}
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
     const vec2 golden_angle = vec2(-0.73736888, 0.67549029);
@@ -237,234 +245,118 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     vec2 texel = floor(receiver.texel + 0.5 + radius * (share * distance));
     return crease_tap(texel, texel != receiver.texel && crease_inside(texel), share * share);
 }
-// SPDX-License-Identifier: MIT
-// Taps projected onto the normal: stochastic-depth-ao, Algorithm 3.
 
-struct crease_estimate {
-    float occlusion; // summed over the taps
-    float weights;
-    float reach;     // 1 / square of the radius
-};
+crease_layers crease_fetch_layers(vec2 texel) { return crease_layers(texel, crease_depth_at(texel)); }
+
+// Fetches the layers that are worth fetching before any is weighed: by default all.
+crease_layers crease_fetch_first_layers(vec2 texel) { return crease_fetch_layers(texel); }
+
+crease_fetched crease_fetch(vec2 texel) { return crease_fetched(crease_fetch_first_layers(texel)); }
 
 struct crease_contribution {
     float occlusion;
-    float rise; // cosine between the normal and the way to the tap less the bias, where that occludes
+    float highest;
     float weight;
 };
 
-crease_estimate crease_estimate_begin(crease_receiver receiver) {
-    return crease_estimate(0.0, 0.0, 1.0 / (crease_radius * crease_radius));
+void crease_add(inout crease_march march, crease_contribution contribution) {
+    march.occlusion += contribution.occlusion;
+    march.weights += contribution.weight;
+    march.highest = max(march.highest, contribution.highest);
 }
 
-void crease_estimate_turn(inout crease_estimate estimate, vec2 direction) {}
+// A surface at a texel.
+struct crease_layer {
+    vec3 position; // view space
+    float texels;  // it stands for: 1, or the number of texels of an area
+};
 
-crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position) {
-    vec3 to_tap = position - receiver.position;
-    float squared = dot(to_tap, to_tap);
-    float rise = dot(to_tap, receiver.normal) * inversesqrt(squared) - crease_bias;
-    float falloff = 1.0 - squared * estimate.reach;
+crease_contribution crease_weigh(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer layer) {
+    vec3 to_layer = layer.position - receiver.position;
+    float squared = dot(to_layer, to_layer);
+    float rise = dot(to_layer, receiver.normal) * inversesqrt(squared) - crease_hbao_plus_bias;
+    float falloff = 1.0 - squared * march.reach;
     bool counts = tap.inside && falloff > 0.0 && rise > 0.0;
     float weight = tap.inside ? tap.weight : 0.0;
     return counts ? crease_contribution(weight * falloff * rise, rise, weight) : crease_contribution(0.0, 0.0, weight);
 }
 
-void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution) {
-    estimate.occlusion += contribution.occlusion;
-    estimate.weights += contribution.weight;
+crease_layer crease_layer_at(crease_layers layers, int i) {
+    return crease_layer(crease_view_position(layers.texel, layers.depth), 1.0);
 }
 
-float crease_estimate_occlusion(crease_estimate estimate) { return estimate.occlusion / max(estimate.weights, 1e-20); }
-// SPDX-License-Identifier: MIT
-// Of what is gathered the occlusion, and nothing else.
-
-struct crease_gathered {
-    float occlusion;
-};
-
-crease_gathered crease_gathered_begin() { return crease_gathered(0.0); }
-
-void crease_gathered_tap(inout crease_gathered gathered, crease_receiver receiver, crease_tap tap,
-                         crease_contribution contribution) {}
-
-void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiver, crease_estimate estimate,
-                          vec2 direction) {}
-
-void crease_gathered_end(inout crease_gathered gathered, crease_receiver receiver) {}
-
-crease_gathered crease_gathered_turned_back(crease_gathered gathered, mat3 turn) { return gathered; }
-// SPDX-License-Identifier: MIT
-// The visibility of a receiver and nothing else.
-
-float crease_visibility_of(float occlusion);
-
-crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver) {
-    return crease_result(crease_visibility_of(gathered.occlusion), -receiver.position.z);
+crease_contribution crease_combine_first_layers(crease_march march, crease_receiver receiver, crease_tap tap,
+                                                crease_layers layers) {
+    return crease_weigh(march, receiver, tap, crease_layer_at(layers, 0));
 }
-// SPDX-License-Identifier: MIT
-// The layers of a tap count as the one that occludes the most: stochastic-depth-ao 6.2, a-buffer-ssao III A.
 
-int crease_layer_count();
-float crease_layer_depth(crease_layers layers, int layer);
-vec3 crease_view_position(vec2 texel, float depth);
-crease_contribution crease_weigh(crease_estimate estimate, crease_receiver receiver, crease_tap tap, vec3 position);
-
-crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
-                                crease_layers layers) {
-    crease_contribution most = crease_weigh(
-        estimate, receiver, tap, crease_view_position(tap.texel, crease_layer_depth(layers, 0)));
-    crease_unroll for (int layer = 1; layer < crease_layer_count(); ++layer) {
-        crease_contribution other = crease_weigh(
-            estimate, receiver, tap, crease_view_position(tap.texel, crease_layer_depth(layers, layer)));
-        if (other.occlusion > most.occlusion)
-            most = other;
-    }
-    return most;
+void crease_traverse(inout crease_march march, crease_receiver receiver, crease_tap tap, crease_fetched fetched) {
+    crease_add(march, crease_combine_first_layers(march, receiver, tap, fetched.layers));
 }
-// SPDX-License-Identifier: MIT
-// Taps of a direction that are asked for together.
 
-crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step);
-crease_layers crease_fetch_layers(vec2 texel); // of any texel: beside the depth image what does not count
-
-const int crease_batch_size = 4;
-
-// Taps whose layers are fetched before any is weighed, so that the waits overlap.
-struct crease_batch {
+// Fetches a batch of taps before any is weighed, so that their latencies overlap.
+void crease_gather_taps(inout crease_march march, inout crease_pattern pattern, crease_receiver receiver, int first) {
     crease_tap taps[crease_batch_size];
-    crease_layers layers[crease_batch_size];
-};
-
-crease_batch crease_ask(inout crease_pattern pattern, crease_receiver receiver, int first, int count) {
-    crease_batch batch;
+    crease_fetched fetched[crease_batch_size];
+    int count = crease_step_count() % crease_batch_size == 0 ? crease_batch_size : crease_step_count() - first;
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count) {
-            batch.taps[i] = crease_pattern_tap(pattern, receiver, first + i);
-            batch.layers[i] = crease_fetch_layers(batch.taps[i].texel);
+            taps[i] = crease_pattern_tap(pattern, receiver, first + i);
+            fetched[i] = crease_fetch(taps[i].texel);
         }
-    return batch;
-}
-// SPDX-License-Identifier: MIT
-// The loop of every technique: each tap of the sampler, each layer of the depth source, weighed by the estimator.
-
-crease_pattern crease_pattern_begin(crease_receiver receiver);
-int crease_direction_count();
-int crease_step_count();
-int crease_layer_count();
-vec2 crease_pattern_turn(inout crease_pattern pattern, crease_receiver receiver, int direction);
-crease_batch crease_ask(inout crease_pattern pattern, crease_receiver receiver, int first, int count);
-crease_estimate crease_estimate_begin(crease_receiver receiver);
-void crease_estimate_turn(inout crease_estimate estimate, vec2 direction);
-crease_contribution crease_fold(crease_estimate estimate, crease_receiver receiver, crease_tap tap,
-                                crease_layers layers);
-void crease_estimate_add(inout crease_estimate estimate, crease_contribution contribution);
-float crease_estimate_occlusion(crease_estimate estimate);
-crease_gathered crease_gathered_begin();
-void crease_gathered_tap(inout crease_gathered gathered, crease_receiver receiver, crease_tap tap,
-                         crease_contribution contribution);
-void crease_gathered_turn(inout crease_gathered gathered, crease_receiver receiver, crease_estimate estimate,
-                          vec2 direction);
-void crease_gathered_end(inout crease_gathered gathered, crease_receiver receiver);
-
-// No loop is left where it is short, as a loop costs some drivers dearly: of all directions or else of one, up to so many
-// layers of the taps.
-const int crease_written_out = 128;
-
-int crease_layers_of_direction() { return crease_step_count() * crease_layer_count(); }
-
-void crease_gather_batch(inout crease_estimate estimate, inout crease_gathered gathered, inout crease_pattern pattern,
-                         crease_receiver receiver, int first, int count) {
-    crease_batch batch = crease_ask(pattern, receiver, first, count);
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
-        if (i < count) {
-            crease_contribution contribution = crease_fold(estimate, receiver, batch.taps[i], batch.layers[i]);
-            crease_estimate_add(estimate, contribution);
-            crease_gathered_tap(gathered, receiver, batch.taps[i], contribution);
-        }
+        if (i < count)
+            crease_traverse(march, receiver, taps[i], fetched[i]);
 }
 
-void crease_gather_direction(inout crease_estimate estimate, inout crease_gathered gathered,
-                             inout crease_pattern pattern, crease_receiver receiver, int i) {
-    vec2 direction = crease_pattern_turn(pattern, receiver, i);
-    crease_estimate_turn(estimate, direction);
-    int rest = crease_step_count() % crease_batch_size, whole = crease_step_count() - rest;
-    if (crease_layers_of_direction() <= crease_written_out) {
-        crease_unroll for (int step = 0; step < whole; step += crease_batch_size)
-            crease_gather_batch(estimate, gathered, pattern, receiver, step, crease_batch_size);
+void crease_end_direction(inout crease_estimate estimate, crease_march march) {
+    estimate.occlusion += march.occlusion;
+    estimate.weights += march.weights;
+}
+
+void crease_close_direction(inout crease_gathered gathered, crease_march march, crease_receiver receiver,
+                            vec2 direction) {
+    crease_end_direction(gathered.estimate, march);
+}
+
+void crease_gather_direction(inout crease_gathered gathered, inout crease_pattern pattern, crease_receiver receiver,
+                             int i) {
+    vec2 direction = crease_pattern_direction(pattern, receiver, i);
+    crease_march march = crease_begin_direction(gathered.estimate, receiver, direction);
+    if (crease_step_count() * crease_most_layers <= crease_most_unrolled) {
+        crease_unroll for (int step = 0; step < crease_step_count(); step += crease_batch_size)
+            crease_gather_taps(march, pattern, receiver, step);
     } else {
-        for (int step = 0; step < whole; step += crease_batch_size)
-            crease_gather_batch(estimate, gathered, pattern, receiver, step, crease_batch_size);
+        for (int step = 0; step < crease_step_count(); step += crease_batch_size)
+            crease_gather_taps(march, pattern, receiver, step);
     }
-    if (rest > 0)
-        crease_gather_batch(estimate, gathered, pattern, receiver, whole, rest);
-    crease_gathered_turn(gathered, receiver, estimate, direction);
+    crease_close_direction(gathered, march, receiver, direction);
 }
 
+// Every technique: for each direction and tap of the sampler, each layer of the depth source, weighed by the estimator.
 crease_gathered crease_gather(crease_receiver receiver) {
     crease_pattern pattern = crease_pattern_begin(receiver);
-    crease_estimate estimate = crease_estimate_begin(receiver);
-    crease_gathered gathered = crease_gathered_begin();
-    if (crease_direction_count() * crease_layers_of_direction() <= crease_written_out) {
+    crease_gathered gathered = crease_begin_gathering(receiver);
+    if (crease_direction_count() * crease_step_count() * crease_most_layers <= crease_most_unrolled) {
         crease_unroll for (int i = 0; i < crease_direction_count(); ++i)
-            crease_gather_direction(estimate, gathered, pattern, receiver, i);
+            crease_gather_direction(gathered, pattern, receiver, i);
     } else {
         for (int i = 0; i < crease_direction_count(); ++i)
-            crease_gather_direction(estimate, gathered, pattern, receiver, i);
+            crease_gather_direction(gathered, pattern, receiver, i);
     }
-    gathered.occlusion = crease_estimate_occlusion(estimate);
-    crease_gathered_end(gathered, receiver);
     return gathered;
 }
-// SPDX-License-Identifier: MIT
-// Visibility by strength and exponent: stochastic-depth-ao 8.1.
-float crease_visibility_of(float occlusion) {
-    return pow(clamp(1.0 - occlusion * crease_strength, 0.0, 1.0), crease_exponent);
-}
-// SPDX-License-Identifier: MIT
-// Where a receiver stands, and how it looks around.
 
-vec3 crease_to_eye(vec3 position);
-void crease_axes(vec3 to_eye, out vec3 across, out vec3 up);
-mat2 crease_disk(vec3 position, vec3 across, vec3 up);
-float crease_depth_at(vec2 texel);
-vec3 crease_view_position(vec2 texel, float depth);
-vec3 crease_normal_at(vec2 texel, vec3 position);
-
-crease_receiver crease_receiver_at(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
-    crease_receiver receiver;
-    receiver.pixel = pixel;
-    receiver.texel = texel;
-    receiver.position = position;
-    receiver.normal = normal;
-    receiver.to_eye = crease_to_eye(position);
-    crease_axes(receiver.to_eye, receiver.across, receiver.up);
-    receiver.disk = crease_disk(position, receiver.across, receiver.up);
-    return receiver;
+crease_result crease_result_of(crease_receiver receiver) {
+    return crease_conclude(crease_gather(receiver), receiver);
 }
 
-// The receiver that a pixel of the main pass sees; false where there is background.
-bool crease_receive(ivec2 pixel, out crease_receiver receiver) {
-    vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
-    float depth = crease_depth_at(texel);
-    if (!(depth > 0.0 && depth < crease_background))
-        return false;
-    vec3 position = crease_view_position(texel, depth);
-    receiver = crease_receiver_at(pixel, texel, position, crease_normal_at(texel, position));
-    return true;
-}
-// SPDX-License-Identifier: MIT
-// The result of a pixel of the main pass.
-
-bool crease_receive(ivec2 pixel, out crease_receiver receiver);
-crease_gathered crease_gather(crease_receiver receiver);
-crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver);
-crease_result crease_open();
+crease_result crease_open_result() { return crease_result(1.0, crease_background); }
 
 crease_result crease_evaluate(ivec2 pixel) {
     crease_receiver receiver;
-    return crease_receive(pixel, receiver) ? crease_conclude(crease_gather(receiver), receiver) : crease_open();
+    return crease_receive(pixel, receiver) ? crease_result_of(receiver) : crease_open_result();
 }
-// SPDX-License-Identifier: MIT
-crease_result crease_evaluate(ivec2 pixel);
 
 // Visibility of a pixel of the pass's output: 1 open, 0 closed.
 float crease_visibility(ivec2 pixel) { return crease_evaluate(pixel).visibility; }

@@ -51,8 +51,8 @@ inline constexpr step levels[] = {
     level<9>("level_9", level_files<Level>),
 };
 inline constexpr number levels_take[] = {
-    {"levels", 1, 10, 9, "of which the last takes in squares of 2^(levels - 1) texels to a side"},
-    {"divisor", 1, 4, 1, "how much smaller the sides of the first are"}};
+    {"levels", 1, 10, 9, "levels, the last of squares of 2^(levels - 1) texels to a side"},
+    {"divisor", 1, 4, 1, "how much smaller the sides of the first level are"}};
 
 }
 

@@ -20,8 +20,7 @@ struct mip_chain_part {
     static constexpr part description = areas::source({
         .kind = role::depth_source,
         .name = "mip_chain",
-        .summary =
-            "sums over ever larger squares, in ever smaller images: an area is what filters take for it",
+        .summary = "a mip chain of sums: an area is what a trilinear filter takes for it",
         .source = "statistical-volumetric-obscurance 2015, 3.3",
         .files = areas::files<&mip_chain_glsl>,
         .numbers = areas::levels_take,

@@ -41,7 +41,7 @@ constexpr step split(std::string_view name) {
 struct summed_area_adaptive_part {
     using needs = areas::needs;
     static constexpr number takes[] = {
-        {"layers", 2, 8, 4, "that the recursive splits leave, and tables stored"},
+        {"layers", 2, 8, 4, "layers that the recursive splits leave, and as many tables"},
         {"divisor", 1, 4, 1, "how much smaller the sides of the tables are"},
     };
 

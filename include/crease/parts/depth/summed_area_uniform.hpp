@@ -18,7 +18,7 @@ inline constexpr glsl_file summed_area_uniform_fill_glsl{
 struct summed_area_uniform_part {
     using needs = areas::needs;
     static constexpr number takes[] = {
-        {"layers", 1, 64, 16, "of equal depth, from the nearest to the farthest of the picture"},
+        {"layers", 1, 64, 16, "layers of equal depth, from the nearest to the farthest of the picture"},
         {"divisor", 1, 4, 1, "how much smaller the sides of the tables are"},
     };
     static constexpr const glsl_file* splitting[] = {&summed_area_uniform_fill_glsl};

@@ -20,7 +20,7 @@ inline constexpr glsl_file hbao_plus_glsl{
 struct hbao_plus {
     using needs = traits<screen_taps, depth_layers>;
     static constexpr setting reads[] = {
-        {"bias", 0.15f, 0, 1, "cosine between the normal and a tap that is taken off"},
+        {"bias", 0.15f, 0, 1, "taken off the cosine between the normal and a tap"},
         strength_setting(2.4f),
         exponent_setting(2),
     };

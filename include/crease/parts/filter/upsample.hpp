@@ -23,8 +23,7 @@ struct upsample_part {
     static constexpr part description{
         .kind = role::filter,
         .name = "upsample",
-        .summary =
-            "computes what stands before it at a lower resolution, and brings it to the picture's by planes",
+        .summary = "runs what stands before it at a lower resolution, and upsamples along tangent planes",
         .source = "statistical-volumetric-obscurance 2015, 4.6.1; stochastic-depth-ao 2020, 9.1",
         .numbers = takes,
         .settings = reads,

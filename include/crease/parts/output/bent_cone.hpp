@@ -20,6 +20,11 @@ inline constexpr glsl_file encoding_visibility_depth_cone_glsl{
 #include <crease/encoding/visibility_depth_cone.glsl>
 };
 
+inline constexpr glsl_file open_directions_glsl{
+    "output/open_directions.glsl",
+#include <crease/output/open_directions.glsl>
+};
+
 inline constexpr glsl_file bent_cone_glsl{
     "output/bent_cone.glsl",
 #include <crease/output/bent_cone.glsl>
@@ -41,9 +46,10 @@ inline constexpr resource bent_cone_image{
 /// Output: visibility, and the image `bent_cone` of the mean open direction and the cone around it.
 struct bent_cone {
     using needs = traits<known_directions, open_directions>;
-    static constexpr const glsl_file* files[] = {&encoding_visibility_glsl, &encoding_octahedron_glsl,
-                                                 &encoding_bent_cone_glsl,
-                                                 &encoding_visibility_depth_cone_glsl, &bent_cone_glsl};
+    static constexpr const glsl_file* files[] = {
+        &encoding_visibility_glsl, &encoding_octahedron_glsl,
+        &encoding_bent_cone_glsl,  &encoding_visibility_depth_cone_glsl,
+        &open_directions_glsl,     &bent_cone_glsl};
     static constexpr resource images[] = {between_image(format::rg32_uint), visibility_image,
                                           bent_cone_image};
     static constexpr part description{

@@ -26,7 +26,8 @@ inline constexpr resource packed_bent_cone_image{.name = "packed_bent_cone",
 struct packed_bent_cone {
     using needs = traits<known_directions, open_directions>;
     static constexpr const glsl_file* files[] = {&encoding_octahedron_glsl, &encoding_packed_bent_cone_glsl,
-                                                 &encoding_visibility_depth_cone_glsl, &bent_cone_glsl};
+                                                 &encoding_visibility_depth_cone_glsl, &open_directions_glsl,
+                                                 &bent_cone_glsl};
     static constexpr resource images[] = {between_image(format::rg32_uint), packed_bent_cone_image};
     static constexpr part description{
         .kind = role::output,

@@ -15,7 +15,7 @@ struct directions_part {
     static constexpr number takes[] = {
         {"count", 1, 64, 8, "directions, dividing the circle evenly"},
         {"steps", 1, 64, 4, "taps along each direction"},
-        {"power", 1, 4, 2, "of a step's index by which its distance grows; 1: even steps"},
+        {"power", 1, 4, 2, "power of a step's index by which its distance grows; 1: even steps"},
     };
     static constexpr const glsl_file* files[] = {&screen_tap_glsl, &share_inside_glsl, &directions_glsl};
     static constexpr part description{

@@ -17,7 +17,7 @@ struct subgroup_scan {
     static constexpr part description{
         .kind = role::scan,
         .name = "subgroup_scan",
-        .summary = "by the device's own operations within a subgroup",
+        .summary = "by subgroup operations",
         .source = "Vulkan 1.1, subgroup operations",
         .files = files,
         .extension = "GL_KHR_shader_subgroup_arithmetic",

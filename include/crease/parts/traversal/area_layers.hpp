@@ -18,7 +18,7 @@ struct area_layers {
     static constexpr part description{
         .kind = role::layer_traversal,
         .name = "area_layers",
-        .summary = "takes in each layer of an area by the number of its texels",
+        .summary = "counts each layer of an area by the number of its texels",
         .source = "statistical-volumetric-obscurance 2015, 4.3, (4.4)",
         .files = files,
         .needs = needs::list,

@@ -18,7 +18,7 @@ struct deferred_layers_part : front_part {
     static constexpr number takes[] = {
         front_part::takes[0],
         {"looks", 1, 4, 1,
-         "taps of each four in a row behind which to look, the first where that may matter"},
+         "behind how many of each four taps in a row to look, the first where that may matter"},
     };
     using needs = traits<layers_behind_front, layers_behind>;
     static constexpr const glsl_file* files[] = {&front_glsl, &deferred_layers_glsl};

@@ -12,11 +12,12 @@ inline constexpr glsl_file front_glsl{
 
 /// What the traversals have in common that look at the front surface before the layers behind it.
 struct front_part {
-    static constexpr number takes[] = {
-        {"angle", 0, 1, 1,
-         "1: behind a front surface that hides all from the estimator nothing is looked for; 0: it is"}};
+    static constexpr number takes[] = {{"angle", 0, 1, 1,
+                                        "1: not behind a front surface where the estimator says that nothing "
+                                        "behind can matter; 0: there too"}};
     static constexpr setting reads[] = {
-        {"reach", 0.3f, 0, 1, "nothing is looked for behind a front surface nearer to the receiver, radii"},
+        {"reach", 0.3f, 0, 1,
+         "up to which distance of a front surface nothing behind it is looked at, radii"},
     };
 };
 

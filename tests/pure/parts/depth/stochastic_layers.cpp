@@ -19,7 +19,8 @@ static_assert(offers<stochastic_layers<>, layers_behind_front>);
 static_assert(offers<stochastic_layers<>, layers_of_two_views>);
 static_assert(!offers<single_layer, layers_behind_front>);
 static_assert(layered::passes.size() == 3);
-static_assert(layered::passes[0].name == "capture_layers" && layered::passes[0].stage == stage_kind::geometry);
+static_assert(layered::passes[0].name == "capture_layers" &&
+              layered::passes[0].stage == stage_kind::geometry);
 static_assert(layered::passes[1].name == "pack_layers");
 static_assert(get(layered::defaults, layered::settings, "opacity") == 0.2f);
 
@@ -58,7 +59,8 @@ TEST_CASE("layers lie in groups of four; one or two need as many components") {
                                         {"4", format::rgba32_float, 1},
                                         {"5", format::rgba32_float, 2}}) {
         CAPTURE(expected.samples);
-        const auto one = composed("directions:4x4/stochastic_layers:" + expected.samples + "/hbao/multisampled");
+        const auto one =
+            composed("directions:4x4/stochastic_layers:" + expected.samples + "/hbao/multisampled");
         const effect_view view = one->view();
         const auto packed = std::ranges::find(view.resources, "packed_layers", &resource::name);
         REQUIRE(packed != view.resources.end());
@@ -72,6 +74,6 @@ TEST_CASE("what is packed is what the storage captured, and the main pass reads 
         if (b.name == "captured_layers")
             CHECK(b.how == access::sample);
     CHECK(layered::passes[1].bindings.back().name == "packed_layers");
-    CHECK_FALSE(contains(layered::source<2>, "crease_captured_layers"));
-    CHECK(contains(layered::source<2>, "crease_load_packed_layers"));
+    CHECK_FALSE(contains(layered::source<2>(), "crease_captured_layers"));
+    CHECK(contains(layered::source<2>(), "crease_load_packed_layers"));
 }

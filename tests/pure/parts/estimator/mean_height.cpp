@@ -21,5 +21,5 @@ TEST_CASE("mean_height recommends its settings, and layers of areas count by the
     for (const setting& each : mean_height<>::reads)
         CHECK(get(oriented::defaults, oriented::settings, each.name) == each.fallback);
     CHECK(has_part_of(oriented::passes.back(), "traversal/area_layers.glsl"));
-    CHECK(contains(oriented::source<4>, "const int crease_mean_height_oriented = 1;"));
+    CHECK(contains(oriented::source<4>(), "const int crease_mean_height_oriented = 1;"));
 }

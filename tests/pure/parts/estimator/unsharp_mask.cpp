@@ -21,7 +21,7 @@ TEST_CASE("unsharp_mask recommends the numbers of the listing") {
 TEST_CASE("unsharp_mask says what means over areas are of, and only over areas") {
     using loop = crease::effect<crease::box_window<>, crease::single_layer, crease::unsharp_mask>;
     using areas = crease::effect<crease::box_area<>, crease::summed_area<>, crease::unsharp_mask>;
-    CHECK_FALSE(contains(loop::source<0>, "crease_area_"));
+    CHECK_FALSE(contains(loop::source<0>(), "crease_area_"));
     for (const crease::pass& each : areas::passes) {
         CAPTURE(std::string(each.name));
         const bool called =

@@ -14,9 +14,9 @@ TEST_CASE("upsample makes the passes before it smaller by its factor") {
     REQUIRE(effect::passes.size() == 2);
     CHECK(effect::passes[0].size.divisor == 4);
     CHECK(effect::passes[1].size.divisor == 1);
-    CHECK(contains(effect::source<0>, "const int crease_divisor = 4;\n"));
-    CHECK(contains(effect::source<1>, "const int crease_input_divisor = 4;\n"));
-    CHECK(contains(effect::source<1>, "const int crease_upsample_factor = 4;\n"));
+    CHECK(contains(effect::source<0>(), "const int crease_divisor = 4;\n"));
+    CHECK(contains(effect::source<1>(), "const int crease_input_divisor = 4;\n"));
+    CHECK(contains(effect::source<1>(), "const int crease_upsample_factor = 4;\n"));
 }
 
 TEST_CASE("upsample reads the depth of the picture beside its input") {

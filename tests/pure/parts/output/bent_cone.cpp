@@ -24,7 +24,8 @@ static_assert(!recipe("directions/single_layer/hbao/bent_cone/shade"));
 TEST_CASE("bent_cone leaves with visibility, and is kept whole between passes") {
     CHECK(contains(bent::source<0>(), "crease_turned_normal(receiver, direction, cosine, sine)"));
     CHECK(contains(bent::source<0>(), "vec3(0.0, 0.0, 1.0), 1.57079633)")); // background is open all around
-    CHECK(contains(bent::source<2>(), "imageStore(crease_bent_cone, pixel, crease_encode_bent_cone(result));"));
+    CHECK(
+        contains(bent::source<2>(), "imageStore(crease_bent_cone, pixel, crease_encode_bent_cone(result));"));
     const auto r = std::ranges::find(bent::resources, "between_0", &resource::name);
     REQUIRE(r != bent::resources.end());
     CHECK(r->texels == format::rg32_uint);

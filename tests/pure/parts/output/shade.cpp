@@ -16,7 +16,7 @@ static_assert(effect::resources[effect::resources.size() - 2].name == "visibilit
 }
 
 TEST_CASE("shade leaves with visibility, and is kept whole between passes") {
-    CHECK(contains(effect::source<0>, "const int crease_shade_highlight = 0;\n"));
+    CHECK(contains(effect::source<0>(), "const int crease_shade_highlight = 0;\n"));
     CHECK(has_part_of(effect::passes[0], "encoding/shade_depth.glsl"));
-    CHECK(contains(effect::source<2>, "imageStore(crease_shade, pixel, crease_encode_shade(result));"));
+    CHECK(contains(effect::source<2>(), "imageStore(crease_shade, pixel, crease_encode_shade(result));"));
 }

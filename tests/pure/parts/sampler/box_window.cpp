@@ -10,5 +10,5 @@ static_assert(!crease::offers<crease::box_window<>, crease::screen_taps>);
 
 TEST_CASE("box_window's size is a specialization constant") {
     using effect = crease::effect<crease::box_window<40>, crease::single_layer, crease::unsharp_mask>;
-    CHECK(contains(effect::source<0>, "layout(constant_id = 2) const int crease_box_window_size = 40;\n"));
+    CHECK(contains(effect::source<0>(), "layout(constant_id = 2) const int crease_box_window_size = 40;\n"));
 }

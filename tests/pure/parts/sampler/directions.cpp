@@ -11,9 +11,9 @@ static_assert(!crease::offers<crease::directions<>, crease::point_taps>);
 
 TEST_CASE("directions, steps and their power are specialization constants") {
     using effect = crease::effect<crease::directions<6, 3>, crease::single_layer, crease::hbao>;
-    CHECK(contains(effect::source<0>, "layout(constant_id = 2) const int crease_directions_count = 6;\n"));
-    CHECK(contains(effect::source<0>, "layout(constant_id = 3) const int crease_directions_steps = 3;\n"));
-    CHECK(contains(effect::source<0>, "layout(constant_id = 4) const int crease_directions_power = 2;\n"));
+    CHECK(contains(effect::source<0>(), "layout(constant_id = 2) const int crease_directions_count = 6;\n"));
+    CHECK(contains(effect::source<0>(), "layout(constant_id = 3) const int crease_directions_steps = 3;\n"));
+    CHECK(contains(effect::source<0>(), "layout(constant_id = 4) const int crease_directions_power = 2;\n"));
     const crease::pass& main = effect::passes[0];
     REQUIRE(main.constants.size() == 5);
     CHECK(main.constants[3].part == "directions");

@@ -10,7 +10,7 @@ static_assert(!crease::offers<crease::hemisphere_lines<>, crease::point_taps>);
 
 TEST_CASE("hemisphere_lines brings the lines of a disk") {
     using effect = crease::effect<crease::hemisphere_lines<8>, crease::single_layer, crease::line_volume>;
-    CHECK(contains(effect::source<0>, "const int crease_hemisphere_lines_count = 8;\n"));
+    CHECK(contains(effect::source<0>(), "const int crease_hemisphere_lines_count = 8;\n"));
     CHECK(has_part_of(effect::passes[0], "sampler/line_tap.glsl"));
     CHECK(has_part_of(effect::passes[0], "sampler/disk_lines.glsl"));
 }

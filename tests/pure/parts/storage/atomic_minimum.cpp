@@ -20,6 +20,8 @@ static_assert(recipe("directions/stochastic_layers/hbao/atomic_minimum:31x1023x1
 static_assert(!recipe("directions/stochastic_layers/hbao/atomic_minimum:32"));
 static_assert(!captures.to_attachment() && captures.bindings.back().how == access::modify);
 static_assert(layered::features.fragment_stores_and_atomics && layered::features.depth_samples == 0);
+static_assert(!effect<directions<4, 4>, stochastic_layers<6>, hbao, atomic_minimum<>,
+                      opengl_glsl>::features.fragment_stores_and_atomics); // OpenGL 4.3 has them
 
 }
 

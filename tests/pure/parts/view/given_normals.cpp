@@ -9,5 +9,5 @@ TEST_CASE("given_normals asks for an image of normals") {
     using effect =
         crease::effect<crease::directions<>, crease::single_layer, crease::hbao, crease::given_normals>;
     CHECK(effect::resources[2].name == "normal");
-    CHECK(contains(effect::source<0>, "uniform sampler2D crease_normal;\n"));
+    CHECK(contains(effect::source<0>(), "uniform sampler2D crease_normal;\n"));
 }

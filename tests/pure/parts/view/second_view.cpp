@@ -37,3 +37,16 @@ TEST_CASE("second_view captures and packs for each camera, and looks with both i
     CHECK_FALSE(contains(two::source<4>(), "const int crease_view_index"));
     CHECK_FALSE(contains(one::source<2>(), "from_first"));
 }
+
+TEST_CASE("what is packed for the second camera is what that captured") {
+    const auto reads = [](const pass& by, std::string_view name) {
+        for (const binding& b : by.bindings)
+            if (!writes(b.how) && two::resources[b.resource].name == name)
+                return true;
+        return false;
+    };
+    CHECK(reads(two::passes[2], "captured_layers"));
+    CHECK_FALSE(reads(two::passes[2], "captured_layers_1"));
+    CHECK(reads(two::passes[3], "captured_layers_1"));
+    CHECK_FALSE(reads(two::passes[3], "captured_layers"));
+}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The tests' validation is the one that they count on: it sees more than the arguments of calls.
 #include <crease/vulkan/runner.hpp>
 
+#include "environment.hpp"
 #include "little_effect.hpp"
 #include "sentence.hpp"
 
@@ -11,6 +11,14 @@
 
 using namespace crease;
 
+TEST_CASE("no validation layer") {
+    const environment nowhere("VK_LAYER_PATH", "/nowhere");
+    CHECK(sentence_of([] { vulkan::device({.name = {}, .validation = true}); }) ==
+          "validation was asked for, but there is no layer VK_LAYER_KHRONOS_validation");
+    CHECK_NOTHROW(vulkan::device());
+}
+
+// The tests' validation sees more than the arguments of calls.
 TEST_CASE("a shader that reads beyond its block is seen, as validation is assisted by the device") {
     const piece longer{"block.glsl", "layout(std140, set = 0, binding = 0) uniform crease_parameters { vec4 "
                                      "crease_numbers[1000]; };\n"};

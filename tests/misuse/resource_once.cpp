@@ -1,0 +1,31 @@
+// crease::effect: two parts describe a resource of the same name
+// (hbao, noise_image)
+// no recipe says this
+// SPDX-License-Identifier: MIT
+#include <crease/crease.hpp>
+
+// Noise that a first pass should make.
+struct noise_image {
+    static constexpr crease::glsl_file make{
+        "host/make.glsl", "void crease_build(ivec2 texel) { imageStore(crease_depth, texel, "
+                          "vec4(0.5)); }\n"};
+    static constexpr crease::glsl_file read{
+        "host/read.glsl", "vec2 crease_noise(ivec2 pixel) { return crease_load_depth(pixel).xy; }\n"};
+    static constexpr const crease::glsl_file *making[] = {&make}, *files[] = {&read};
+    static constexpr crease::resource images[] = {
+        {.name = "depth", .texels = crease::format::rgba32_float, .life = crease::lifetime::transient}};
+    static constexpr std::string_view filled[] = {"depth"};
+    static constexpr crease::step steps[] = {
+        {.name = "make", .files = making, .kind = crease::step_kind::texels, .writes = filled}};
+    static constexpr crease::part description{.kind = crease::role::noise,
+                                              .name = "noise_image",
+                                              .summary = "",
+                                              .source = "",
+                                              .files = files,
+                                              .resources = images,
+                                              .steps = steps};
+};
+
+using namespace crease;
+
+constexpr auto count = effect<directions<>, single_layer, hbao, noise_image>::passes.size();
