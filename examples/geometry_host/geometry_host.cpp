@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <iostream>
+#include <stdexcept>
+#include <string>
 
 using front_alone = crease::effect<crease::directions<4, 4>, crease::single_layer, crease::hbao,
                                    crease::reconstructed_normals>;
@@ -18,7 +20,9 @@ constexpr picture::matrix projection = {1, 0, 0, 0, 0, -16.f / 9, 0, 0, 0, 0, 0,
 template <class Effect>
 crease::parameters parameters_of() {
     crease::parameters values = Effect::defaults;
-    crease::set_projection(values.view, projection, picture::width, picture::height);
+    if (const auto fit = crease::set_projection(values.view, projection, picture::width, picture::height);
+        !fit)
+        throw std::runtime_error(std::string(fit.error));
     values.radius = shaders::radius;
     return values;
 }

@@ -9,6 +9,7 @@
 
 #include <span>
 #include <stdexcept>
+#include <string>
 
 using ao = crease::effect<crease::directions<4, 4>, crease::single_layer, crease::hbao, crease::bilateral<>,
                           crease::reconstructed_normals, crease::fragment, crease::opengl_glsl>;
@@ -157,7 +158,7 @@ int main(int count, char** arguments) {
     try {
         make_context();
         // OpenGL's own clip space: depth from -1 to 1, y up, and row 0 of an image is its lowest.
-        constexpr crease::clip_space clip{.depth_zero_to_one = false};
+        constexpr crease::matrix_convention clip{.depth_zero_to_one = false};
         constexpr float near = 0.1f, far = 20;
         constexpr picture::matrix projection = {1,
                                                 0,
@@ -176,7 +177,10 @@ int main(int count, char** arguments) {
                                                 2 * near * far / (near - far),
                                                 0};
         crease::parameters parameters = ao::defaults;
-        crease::set_projection(parameters.view, projection, picture::width, picture::height, clip);
+        if (const auto fit =
+                crease::set_projection(parameters.view, projection, picture::width, picture::height, clip);
+            !fit)
+            throw std::runtime_error(std::string(fit.error));
         parameters.radius = corner::radius;
 
         const auto visibility = render(corner::device_depth(projection, clip), parameters);

@@ -86,8 +86,11 @@ constexpr picture::matrix projection = {1, 0, 0, 0, 0, -16.f / 9, 0, 0, 0, 0, 0,
 
 std::vector<std::uint8_t> render(crease::vulkan::device& device, const crease::effect_view& effect,
                                  crease::parameters values) {
-    constexpr crease::clip_space clip{.depth_zero_to_one = true};
-    crease::set_projection(values.view, projection, picture::width, picture::height, clip);
+    constexpr crease::matrix_convention clip{.depth_zero_to_one = true};
+    if (const auto fit =
+            crease::set_projection(values.view, projection, picture::width, picture::height, clip);
+        !fit)
+        throw std::runtime_error(std::string(fit.error));
     values.radius = corner::radius;
     crease::vulkan::runner runner(device, effect, picture::width, picture::height);
     runner.upload("depth", corner::device_depth(projection, clip));

@@ -28,7 +28,7 @@ inline float depth_along(float x, float y) {
 }
 
 /// The depth buffer that a rasteriser with this projection would leave, row 0 first.
-inline std::vector<float> device_depth(const picture::matrix& projection, crease::clip_space clip) {
+inline std::vector<float> device_depth(const picture::matrix& projection, crease::matrix_convention clip) {
     std::vector<float> texels;
     for (unsigned j = 0; j < picture::height; ++j)
         for (unsigned i = 0; i < picture::width; ++i) {

@@ -4,6 +4,8 @@
 #include "occlusion.hpp"
 
 #include <span>
+#include <stdexcept>
+#include <string>
 
 using ao = crease::effect<crease::directions<4, 4>, crease::single_layer, crease::hbao,
                           crease::reconstructed_normals>;
@@ -29,10 +31,13 @@ int main(int count, char** arguments) {
         renderer gpu({.shaderStorageImageExtendedFormats = ao::features.extended_storage_formats});
         // Vulkan's own clip space: y down, so row 0 is the highest; depth reversed, the far plane at
         // infinity.
-        constexpr crease::clip_space clip{.depth_zero_to_one = true};
+        constexpr crease::matrix_convention clip{.depth_zero_to_one = true};
         constexpr picture::matrix projection = {1, 0, 0, 0, 0, -16.f / 9, 0, 0, 0, 0, 0, -1, 0, 0, 0.1f, 0};
         crease::parameters values = ao::defaults;
-        crease::set_projection(values.view, projection, picture::width, picture::height, clip);
+        if (const auto fit =
+                crease::set_projection(values.view, projection, picture::width, picture::height, clip);
+            !fit)
+            throw std::runtime_error(std::string(fit.error));
         values.radius = corner::radius;
 
         const auto visibility = render(gpu, corner::device_depth(projection, clip), values);

@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -61,7 +62,10 @@ inline std::vector<float> triangles() {
 
 inline crease::parameters parameters_for(const crease::effect_view& effect, bool is_orthographic) {
     crease::parameters p = effect.defaults;
-    crease::set_projection(p.view, is_orthographic ? orthographic : perspective, width, height);
+    if (const auto fit =
+            crease::set_projection(p.view, is_orthographic ? orthographic : perspective, width, height);
+        !fit)
+        throw std::runtime_error(std::string(fit.error));
     p.further_views[0].view = p.view;
     p.radius = radius;
     return p;

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <tuple>
 
 namespace oracle {
@@ -24,7 +25,10 @@ crease::parameters view_parameters(const picture& p, const crease::effect_view& 
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)
             matrix[column * 4 + row] = static_cast<float>(p.projection[column][row]);
-    crease::set_projection(how.view, matrix, static_cast<unsigned>(p.width), static_cast<unsigned>(p.height));
+    if (const auto fit = crease::set_projection(how.view, matrix, static_cast<unsigned>(p.width),
+                                                static_cast<unsigned>(p.height));
+        !fit)
+        throw std::runtime_error(std::string(fit.error));
     how.radius = static_cast<float>(radius);
     return how;
 }

@@ -59,7 +59,8 @@ constexpr unsigned side = 8;
 
 parameters seen_from_the_eye(const effect_view& effect) {
     parameters values = effect.defaults;
-    set_projection(values.view, small_corner::projection, side, side); // the depth is 0.1 / device depth
+    REQUIRE(
+        set_projection(values.view, small_corner::projection, side, side)); // the depth is 0.1 / device depth
     REQUIRE(set(values, effect.settings, "opacity", 1));
     return values;
 }

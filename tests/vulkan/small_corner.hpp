@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 /// The corner of the examples, in a picture that a test has the time for.
@@ -28,7 +30,8 @@ inline std::vector<float> device_depth() {
 
 inline crease::parameters parameters_for(const crease::effect_view& effect) {
     crease::parameters values = effect.defaults;
-    crease::set_projection(values.view, projection, width, height);
+    if (const auto fit = crease::set_projection(values.view, projection, width, height); !fit)
+        throw std::runtime_error(std::string(fit.error));
     values.radius = corner::radius;
     return values;
 }

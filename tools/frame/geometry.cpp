@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace crease::tools {
@@ -60,7 +62,8 @@ view_parameters view_of(const glm::mat4& projection, unsigned width, unsigned he
     view_parameters view;
     float matrix[16];
     std::copy_n(glm::value_ptr(projection), 16, matrix);
-    set_projection(view, matrix, width, height, {}, guard);
+    if (const auto fit = set_projection(view, matrix, width, height, {}, guard); !fit)
+        throw std::runtime_error(std::string(fit.error));
     return view;
 }
 

@@ -100,7 +100,8 @@ constexpr projection_result set_projection(view_parameters& v, const float* matr
                  at_one = static_cast<float>(scale) + static_cast<float>(offset);
     const double least = at_zero < at_one ? at_zero : at_one, most = at_zero < at_one ? at_one : at_zero;
     if (most <= 0)
-        return {"the projection sees nothing before the eye: it may be of a view space of the other handedness"};
+        return {
+            "the projection sees nothing before the eye: it may be of a view space of the other handedness"};
     const double far_depth = !perspective ? most : least > 1e-15 ? 1 / least : 1e15;
     const double shift_x = perspective ? m[8] : -m[12], shift_y = perspective ? m[9] : -m[13];
     // ndc x = 2 * texel / width - 1, and view x = (ndc x + shift) / m0.

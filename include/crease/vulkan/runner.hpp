@@ -138,9 +138,12 @@ public:
 
     /// Runs all passes once and waits for them.
     /// @return the time of each pass, in order
-    /// @throws error  where an input was neither uploaded nor bound, or a geometry pass draws nothing
+    /// @throws error  where an input was neither uploaded nor bound, a geometry pass draws nothing, or the
+    /// view is of
+    ///                another size than the runner
     std::vector<pass_time> run(const parameters& values) {
         expect_ready();
+        expect_view(values.view);
         if (descriptors_are_old_)
             write_descriptors();
         write_block(values, effect_.views, effect_.settings.size(), parameters_.bytes().data());
@@ -372,6 +375,22 @@ private:
             if (own_buffers_[i] && effect_.resources[i].name == name)
                 return *own_buffers_[i];
         throw error("there is no buffer named '" + std::string(name) + "'");
+    }
+
+    /// A view that was never set, or is of another size, would give a picture that is wrong and looks whole.
+    void expect_view(const view_parameters& view) const {
+        const bool is_read = std::ranges::any_of(effect_.passes, [](const pass& each) {
+            return std::ranges::any_of(each.bindings,
+                                       [](const binding& b) { return b.how == access::uniform; });
+        });
+        const auto size = [](float texels) { return std::to_string(static_cast<long>(texels)); };
+        if (is_read &&
+            (view.resolution[0] != static_cast<float>(width_) ||
+             view.resolution[1] != static_cast<float>(height_) || view.guard != static_cast<float>(guard_)))
+            throw error("the view is of " + size(view.resolution[0]) + " x " + size(view.resolution[1]) +
+                        " texels with a guard band of " + size(view.guard) + ", the runner of " +
+                        std::to_string(width_) + " x " + std::to_string(height_) + " with " +
+                        std::to_string(guard_) + "; set_projection fills it");
     }
 
     std::size_t geometry_pass_of(std::string_view name) const {

@@ -7,11 +7,21 @@
 
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace {
 
 using namespace crease;
+
+// A view of a composition that is gone would dangle.
+template <class Composition>
+constexpr bool can_be_viewed = requires(Composition&& of) {
+    static_cast<Composition&&>(of).view();
+};
+static_assert(can_be_viewed<composition&> && !can_be_viewed<composition>);
+static_assert(std::is_convertible_v<const composition&, effect_view> &&
+              !std::is_convertible_v<composition, effect_view>);
 
 /// Parts of a host whose passes do not fit.
 namespace host {

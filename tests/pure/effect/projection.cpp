@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace {
@@ -20,7 +21,7 @@ constexpr unsigned width = 640, height = 360;
 struct projection {
     const char* name;
     glm::mat4 matrix;
-    clip_space clip;
+    matrix_convention clip;
     float far_depth; // infinite where there is none
 };
 
@@ -42,7 +43,7 @@ glm::mat4 flipped(glm::mat4 m) {
 
 std::vector<projection> every_projection() {
     constexpr float near = 0.25f, far = 80;
-    constexpr clip_space zero_to_one{.depth_zero_to_one = true}, minus_one{.depth_zero_to_one = false};
+    constexpr matrix_convention zero_to_one{.depth_zero_to_one = true}, minus_one{.depth_zero_to_one = false};
     std::vector<projection> all{
         {"standard", glm::perspectiveRH_ZO(1.0f, 16.0f / 9, near, far), zero_to_one, far},
         {"reversed", glm::perspectiveRH_ZO(1.0f, 16.0f / 9, far, near), zero_to_one, far},
@@ -155,6 +156,64 @@ TEST_CASE("a point that a matrix projects is found again by the view_parameters"
                     CHECK(glm::distance(found, position) <= tolerance(by, p, depth));
                 }
     }
+}
+
+TEST_CASE("a left-handed projection and one stored by rows give the view of the same camera") {
+    const glm::vec2 shift(0.1f, -0.2f);
+    for (bool is_perspective : {true, false})
+        for (bool is_reversed : {false, true}) {
+            const float near = is_reversed ? 80.0f : 0.25f, far = is_reversed ? 0.25f : 80.0f;
+            glm::mat4 right = is_perspective ? glm::perspectiveRH_ZO(1.0f, 16.0f / 9, near, far)
+                                             : glm::orthoRH_ZO(-2.0f, 3.0f, -1.0f, 2.0f, near, far);
+            glm::mat4 left = is_perspective ? glm::perspectiveLH_ZO(1.0f, 16.0f / 9, near, far)
+                                            : glm::orthoLH_ZO(-2.0f, 3.0f, -1.0f, 2.0f, near, far);
+            if (is_perspective)
+                for (int row = 0; row < 2; ++row) {
+                    right[2][row] = shift[row];
+                    left[2][row] = -shift[row];
+                }
+            CAPTURE(is_perspective);
+            CAPTURE(is_reversed);
+            view_parameters expected, of_left, of_rows;
+            REQUIRE(set_projection(expected, glm::value_ptr(right), width, height));
+            REQUIRE(set_projection(of_left, glm::value_ptr(left), width, height, {.left_handed = true}));
+            const glm::mat4 rows = glm::transpose(right);
+            REQUIRE(set_projection(of_rows, glm::value_ptr(rows), width, height, {.row_major = true}));
+            CHECK(of_left == expected);
+            CHECK(of_rows == expected);
+        }
+}
+
+TEST_CASE("a matrix of another convention is refused by name") {
+    const auto error_of = [](const glm::mat4& matrix, const matrix_convention& convention = {}) {
+        view_parameters p;
+        const projection_result result = set_projection(p, glm::value_ptr(matrix), width, height, convention);
+        CHECK(p == view_parameters{});
+        return std::string(result.error);
+    };
+    const glm::mat4 right = glm::perspectiveRH_ZO(1.0f, 16.0f / 9, 0.25f, 80.0f);
+    const glm::mat4 left = glm::perspectiveLH_ZO(1.0f, 16.0f / 9, 0.25f, 80.0f);
+    const std::string handed = "the projection matrix is of a view space of the other handedness: see "
+                               "matrix_convention::left_handed";
+    CHECK(error_of(left) == handed);
+    CHECK(error_of(right, {.left_handed = true}) == handed);
+    CHECK(error_of(glm::transpose(right)) ==
+          "the projection matrix is transposed: see matrix_convention::row_major");
+    CHECK(error_of(right, {.row_major = true}) ==
+          "the projection matrix is transposed: see matrix_convention::row_major");
+    CHECK(error_of(glm::orthoLH_ZO(-2.0f, 3.0f, -1.0f, 2.0f, 0.25f, 80.0f)) ==
+          "the projection sees nothing before the eye: it may be of a view space of the other handedness");
+    for (int element = 0; element < 16; ++element)
+        for (float number : {std::numeric_limits<float>::quiet_NaN(), infinity}) {
+            glm::mat4 matrix = right;
+            matrix[element / 4][element % 4] = number;
+            CHECK(error_of(matrix) == "an element of the projection matrix is not finite");
+        }
+    glm::mat4 flat = right;
+    flat[0][0] = 0;
+    CHECK(error_of(flat) == "the projection matrix is singular");
+    CHECK(error_of(glm::mat4(2)) ==
+          "the matrix is no projection: its last row must be (0, 0, -1, 0) or (0, 0, 0, 1)");
 }
 
 TEST_CASE("texels are those of the depth image, with its guard band") {
