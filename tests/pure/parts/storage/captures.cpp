@@ -20,7 +20,8 @@ resource shaped(void (*shape)(resource&, const shape_of&), int count) {
 
 TEST_CASE("samples are a power of 2, at least 2, and as many as the layers") {
     constexpr unsigned expected[][2] = {{1, 2}, {2, 2}, {3, 4}, {4, 4}, {5, 8}, {8, 8}, {9, 16}, {32, 32}};
-    for (const auto& [count, samples] : expected) {
+    for (const auto& each : expected) {
+        const unsigned count = each[0], samples = each[1];
         CAPTURE(count);
         CHECK(shaped(&shape_samples, static_cast<int>(count)).samples == samples);
         CHECK(shaped(&shape_layers, static_cast<int>(count)).layers == count);
