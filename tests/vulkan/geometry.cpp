@@ -57,10 +57,10 @@ std::vector<float> two_triangles() {
 
 constexpr unsigned side = 8;
 
-parameters seen_from_the_eye(const effect_view& effect) {
+parameters seen_from_the_eye(const effect_view& effect, unsigned width = side, unsigned height = side) {
     parameters values = effect.defaults;
-    REQUIRE(
-        set_projection(values.view, small_corner::projection, side, side)); // the depth is 0.1 / device depth
+    REQUIRE(set_projection(values.view, small_corner::projection, width,
+                           height)); // the depth is 0.1 / device depth
     REQUIRE(set(values, effect.settings, "opacity", 1));
     return values;
 }
@@ -254,7 +254,7 @@ TEST_CASE("one sample packs into one component, if it is not before the front; b
         for (float depth : captured)
             bits.push_back(std::bit_cast<std::uint32_t>(depth));
         runner.upload("captured_layers", bits);
-        runner.run(seen_from_the_eye(effect->view()));
+        runner.run(seen_from_the_eye(effect->view(), 3, 1));
         const std::vector<float> packed = runner.download("packed_layers");
         REQUIRE(packed.size() == 3);
         CHECK(packed[0] > 1e6f); // there is none

@@ -4,6 +4,7 @@
 
 #include "little_effect.hpp"
 #include "sentence.hpp"
+#include "sized.hpp"
 #include "validated_device.hpp"
 
 #include <doctest/doctest.h>
@@ -123,7 +124,7 @@ constexpr effect_view buffers{.passes = counting,
 TEST_CASE("a history begins at 0, and each of three frames reads what the one before wrote") {
     vulkan::device& device = validated_device();
     vulkan::runner runner(device, images, 7, 5);
-    parameters p;
+    parameters p = sized(7, 5);
     REQUIRE(set(p, little::settings, "bias", 0.5f));
     for (const auto& [radius, digits, halves] :
          {std::tuple(1.0f, 1.0f, 0.5f), {2.0f, 12.0f, 5.5f}, {3.0f, 123.0f, 55.5f}}) {
@@ -141,7 +142,7 @@ TEST_CASE("a history of two images swaps them, and copies nothing") {
     vulkan::runner runner(validated_device(), images, 4, 4);
     const VkImage one = runner.image_of("kept").handle(), other = runner.image_of("kept_before").handle();
     for (int frame = 0; frame < 3; ++frame) {
-        runner.run({});
+        runner.run(sized(4, 4));
         const bool swapped = runner.image_of("kept").handle() == other;
         CHECK(runner.image_of("kept_before").handle() == (swapped ? one : other));
         CHECK(swapped == (frame % 2 == 0));
@@ -151,7 +152,7 @@ TEST_CASE("a history of two images swaps them, and copies nothing") {
 TEST_CASE("a history of buffers begins at 0, and each of three frames reads what the one before wrote") {
     vulkan::device& device = validated_device();
     vulkan::runner runner(device, buffers, 7, 5);
-    parameters p;
+    parameters p = sized(7, 5);
     for (const auto& [radius, digits] : {std::pair(1.0f, 1u), {2.0f, 12u}, {3.0f, 123u}}) {
         p.radius = radius;
         runner.run(p);

@@ -4,6 +4,7 @@
 #include "environment.hpp"
 #include "little_effect.hpp"
 #include "sentence.hpp"
+#include "sized.hpp"
 
 #include <doctest/doctest.h>
 
@@ -39,7 +40,7 @@ void main() {
     const auto said = [&](float index) {
         const std::vector<float> depth(16, index);
         runner.upload("depth", std::span<const float>(depth));
-        return sentence_of([&] { runner.run({}); });
+        return sentence_of([&] { runner.run(sized(4, 4)); });
     };
     const auto rows = static_cast<float>(effect.block_size() / 16);
     CHECK(said(rows - 1) == "");

@@ -4,6 +4,7 @@
 
 #include "little_effect.hpp"
 #include "sentence.hpp"
+#include "sized.hpp"
 #include "validated_device.hpp"
 
 #include <doctest/doctest.h>
@@ -88,7 +89,7 @@ TEST_CASE("what is drawn feeds a runner without a round trip") {
     runner.bind("depth", rasteriser.depth());
     for (int frame = 0; frame < 2; ++frame) {
         rasteriser.draw(mesh, std::as_bytes(std::span(no_shift)));
-        runner.run({});
+        runner.run(sized(641, 359));
     }
     const std::vector<float> visibility = runner.download("visibility");
     constexpr float half_a_step = 0.501f / 255; // of r8_unorm

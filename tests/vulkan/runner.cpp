@@ -5,6 +5,7 @@
 
 #include "little_effect.hpp"
 #include "sentence.hpp"
+#include "sized.hpp"
 #include "validated_device.hpp"
 
 #include <doctest/doctest.h>
@@ -51,10 +52,10 @@ constexpr double half_a_step = 0.5 / 255 + 1e-6; // of r8_unorm
 TEST_CASE("a compute pass and a fragment pass, at odd sizes") {
     vulkan::device& device = validated_device();
     const vulkan::runner_options compiled{.constants = {}, .shaders = vulkan::compile(little::effect)};
-    parameters p;
-    p.radius = 0.25f;
-    REQUIRE(set(p, little::settings, "bias", 0.125f));
     for (const auto& [width, height] : {std::pair(1u, 1u), std::pair(7u, 5u), std::pair(641u, 359u)}) {
+        parameters p = sized(width, height);
+        p.radius = 0.25f;
+        REQUIRE(set(p, little::settings, "bias", 0.125f));
         vulkan::runner runner(device, little::effect, width, height, compiled);
         const std::vector<float> depth = ramp(width, height);
         runner.upload("depth", std::span<const float>(depth));
@@ -83,7 +84,7 @@ TEST_CASE("optimised shaders do the same") {
     vulkan::runner runner(validated_device(), little::effect, 33, 17, {.constants = {}, .shaders = shaders});
     const std::vector<float> depth = ramp(33, 17);
     runner.upload("depth", std::span<const float>(depth));
-    runner.run({});
+    runner.run(sized(33, 17));
     CHECK(largest_difference(runner.download("visibility"), expected(depth, 33, 17, {})) <= half_a_step);
 }
 
@@ -93,7 +94,7 @@ TEST_CASE("constants, the workgroup's among them, can be set") {
         {.constants = {{"scale.gain", 1}, {"compute.width", 3}, {"compute.height", 5}}, .shaders = {}});
     const std::vector<float> depth = ramp(21, 13);
     runner.upload("depth", std::span<const float>(depth));
-    runner.run({});
+    runner.run(sized(21, 13));
     CHECK(largest_difference(runner.download("visibility"), expected(depth, 21, 13, {}, 1)) <= half_a_step);
 }
 
@@ -109,7 +110,7 @@ TEST_CASE("another image can be the input, even a larger one or a depth buffer")
     const std::vector<float> depth = ramp(9, 4);
     vulkan::upload(device, wide, std::span<const float>(depth));
     runner.bind("depth", wide);
-    runner.run({});
+    runner.run(sized(5, 4));
     std::vector<float> cropped;
     for (std::size_t y = 0; y < 4; ++y)
         cropped.insert(cropped.end(), depth.begin() + std::ptrdiff_t(y * 9),
@@ -168,6 +169,17 @@ TEST_CASE("what a runner refuses") {
     CHECK_NOTHROW(device.check_messages());
 }
 
+TEST_CASE("a view of another size than the runner's is refused") {
+    vulkan::runner runner(validated_device(), little::effect, 6, 5);
+    runner.upload("depth", std::vector<float>(30, 0.5f));
+    for (const parameters& other : {parameters{}, sized(5, 6), sized(6, 5, 1)}) {
+        const std::string sentence = sentence_of([&] { runner.run(other); });
+        CAPTURE(sentence);
+        CHECK(sentence.ends_with(", the runner of 6 x 5 with 0; set_projection fills it"));
+    }
+    CHECK_NOTHROW(runner.run(sized(6, 5)));
+}
+
 TEST_CASE("each run reads the images that were bound or uploaded last") {
     vulkan::device& device = validated_device();
     vulkan::runner runner(device, little::effect, 6, 5);
@@ -183,7 +195,7 @@ TEST_CASE("each run reads the images that were bound or uploaded last") {
         vulkan::upload(device, *made, std::span<const float>(numbers));
         return made;
     };
-    parameters p;
+    parameters p = sized(6, 5);
     p.radius = 0.5f; // with a gain of 2 the visibility is the depth
     const auto sees = [&](float depth) {
         runner.run(p);
@@ -211,7 +223,7 @@ TEST_CASE("what one runner writes another reads, in turns") {
     vulkan::device& device = validated_device();
     vulkan::runner first(device, little::effect, 8, 8), second(device, little::effect, 8, 8);
     second.bind("depth", first.image_of("visibility"));
-    parameters p;
+    parameters p = sized(8, 8);
     p.radius = 0.25f; // with a gain of 2 the visibility is half the depth
     for (float depth : {1.0f, 0.5f}) {
         const std::vector<float> numbers(64, depth);

@@ -5,6 +5,7 @@
 #include "little_effect.hpp"
 #include "recorded_barriers.hpp"
 #include "sentence.hpp"
+#include "sized.hpp"
 #include "validated_device.hpp"
 
 #include <doctest/doctest.h>
@@ -122,7 +123,7 @@ TEST_CASE("a counter is cleared before each frame, and what a report holds is re
     for (std::size_t i = 0; i < depth.size(); ++i)
         depth[i] = static_cast<float>(i + 5);
     runner.upload("depth", depth);
-    parameters p;
+    parameters p = sized(9, 7);
     constexpr std::uint32_t infinite = 0x7f800000u;
     for (const std::uint32_t nearer : {20u, 20u, 0u, 63u}) {
         CAPTURE(nearer);
@@ -142,7 +143,7 @@ TEST_CASE("a buffer of an element for each texel and layer is read by a pass of 
     for (std::size_t i = 0; i < depth.size(); ++i)
         depth[i] = static_cast<float>(i);
     runner.upload("depth", depth);
-    runner.run({});
+    runner.run(sized(9, 7));
     CHECK(runner.download_buffer("list").size() == 9 * 7 * 3 * 8);
     const std::vector<float> visibility = runner.download("visibility");
     for (std::size_t i = 0; i < depth.size(); ++i)
@@ -154,7 +155,7 @@ TEST_CASE("what passes do with buffers waits for what was done before, and the h
     vulkan::runner runner(validated_device(), counted, 9, 7);
     runner.upload("depth", std::vector<float>(9 * 7, 1.0f));
     const std::size_t before = recorded_barriers().size();
-    runner.run({});
+    runner.run(sized(9, 7));
     const std::vector<recorded_barrier> of_memory = barriers_of(VK_NULL_HANDLE, before);
     constexpr VkAccessFlags cleared = VK_ACCESS_TRANSFER_WRITE_BIT, written = VK_ACCESS_SHADER_WRITE_BIT,
                             read = VK_ACCESS_SHADER_READ_BIT;
