@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <crease/compose/core_files.hpp>
 #include <crease/compose/part.hpp>
 
 namespace crease {
@@ -17,7 +18,8 @@ struct bilateral_part {
     };
     static constexpr step_constant across[] = {{"axis", 0}};
     static constexpr step_constant down[] = {{"axis", 1}};
-    static constexpr const glsl_file* files[] = {&bilateral_glsl};
+    // It reads near its pixel, so columns of workgroups would not pay.
+    static constexpr const glsl_file* files[] = {&bilateral_glsl, &pixel_glsl};
     static constexpr step passes[] = {
         {.name = "bilateral_x", .files = files, .constants = across},
         {.name = "bilateral_y", .files = files, .constants = down},

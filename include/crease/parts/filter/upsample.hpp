@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <crease/compose/core_files.hpp>
 #include <crease/compose/part.hpp>
 
 namespace crease {
@@ -16,7 +17,8 @@ struct upsample_part {
         {"sharpness", 32, 0, 1000,
          "how fast a weight falls with the distance from the tangent plane, per radius"},
     };
-    static constexpr const glsl_file* files[] = {&upsample_glsl};
+    // It reads near its pixel, so columns of workgroups would not pay.
+    static constexpr const glsl_file* files[] = {&upsample_glsl, &pixel_glsl};
     static constexpr step passes[] = {
         {.name = "upsample", .files = files, .upsampling = 0},
     };
