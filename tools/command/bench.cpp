@@ -202,7 +202,8 @@ nlohmann::ordered_json measure(vulkan::device& device, const candidate& of, cons
                                const std::vector<subject>& views) {
     nlohmann::ordered_json passes = nlohmann::ordered_json::array(), each = nlohmann::ordered_json::array();
     score mean;
-    const auto composed = std::make_unique<composition>(supported(device, of.chosen));
+    const recipe run = supported(device, of.chosen);
+    const auto composed = std::make_unique<composition>(run);
     for (const pass& p : composed->view().passes) {
         if (p.stage == stage_kind::geometry)
             continue;
@@ -242,7 +243,7 @@ nlohmann::ordered_json measure(vulkan::device& device, const candidate& of, cons
         add_particulars(each.back(), view, made);
     }
     return {{"recipe", of.text},
-            {"run", std::string(supported(device, of.chosen).text().view())},
+            {"run", std::string(run.text().view())},
             {"milliseconds", mean.milliseconds},
             {"capture_milliseconds", mean.capture_milliseconds},
             {"rmse_hard", mean.rmse_hard},

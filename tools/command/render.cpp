@@ -43,8 +43,7 @@ nlohmann::ordered_json describe(const render_options& options, const camera& fro
     nlohmann::ordered_json settings;
     const std::vector<effect_setting> known = settings_of(chosen);
     for (std::size_t i = 0; i < known.size(); ++i)
-        settings[(known[i].shared ? "" : std::string(known[i].part) + ".") + std::string(known[i].name)] =
-            used.settings[i];
+        settings[name_of(known[i])] = used.settings[i];
     return {{"scene", options.scene.scene},
             {"camera", from.name},
             {"width", from.width},

@@ -102,6 +102,9 @@ std::vector<frame_times> take_turns(std::span<const std::unique_ptr<prepared_eff
 frame run_effect(vulkan::device& device, const recipe& chosen, const gbuffer& inputs,
                  const frame_options& options);
 
+/// How a user names a setting: with its part, "hbao.bias", unless parts share it.
+std::string name_of(const effect_setting& s);
+
 /// The settings of a recipe's parts, in the order of its block of parameters.
 std::vector<effect_setting> settings_of(const recipe& chosen);
 

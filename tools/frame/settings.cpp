@@ -16,11 +16,14 @@ namespace {
 std::string names_of(const std::vector<effect_setting>& settings) {
     std::string names;
     for (const effect_setting& s : settings)
-        names += fmt::format("{}{}{}{}", names.empty() ? "" : ", ", s.shared ? "" : s.part,
-                             s.shared ? "" : ".", s.name);
+        names += (names.empty() ? "" : ", ") + name_of(s);
     return names;
 }
 
+}
+
+std::string name_of(const effect_setting& s) {
+    return s.shared ? std::string(s.name) : fmt::format("{}.{}", s.part, s.name);
 }
 
 std::vector<effect_setting> settings_of(const recipe& chosen) {

@@ -48,7 +48,7 @@ public:
         }
         for (std::size_t i = 0; i < planned.resources.size(); ++i)
             if (map.is_used[i])
-                resources_.add(planned.resources[i]);
+                resources_.add(describe(planned.resources[i]));
         settings_ = planned.settings;
         views_ = planned.views;
         features_ = required_features(planned);
@@ -83,6 +83,7 @@ private:
         for (std::size_t i = 0; i < files.size(); ++i)
             tables[i] = &table_of(files[i]);
         own.written = write_program(planned, each, {tables, files.size()});
+        own.written.cut = own.written.cut || tables_.cut;
         own.written.interface.write(own.interface);
         own.pieces[own.piece_count++] = {"interface", {own.interface, own.written.interface.size()}};
         for (const linker::linked& each_definition : own.written.definitions)

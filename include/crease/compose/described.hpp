@@ -81,6 +81,12 @@ struct pass_order {
     }
 };
 
+/// A resource of a plan as one of the effect, in which each camera's stands for itself.
+constexpr resource describe(resource planned) {
+    planned.further_names = {};
+    return planned;
+}
+
 /// What the passes of a plan require of a device.
 constexpr device_features required_features(const plan& p) {
     device_features required;

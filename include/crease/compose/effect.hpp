@@ -139,10 +139,8 @@ struct whole<Effect, std::index_sequence<Pass...>> {
     static constexpr std::array<resource, map.count> resources = [] {
         std::array<resource, map.count> all{};
         for (std::size_t i = 0; fits && i < planned<Effect>.resources.size(); ++i)
-            if (map.is_used[i]) {
-                all[map.index[i]] = planned<Effect>.resources[i];
-                all[map.index[i]].further_names = {};
-            }
+            if (map.is_used[i])
+                all[map.index[i]] = describe(planned<Effect>.resources[i]);
         return all;
     }();
 };

@@ -34,7 +34,7 @@ struct plan {
                                                     ///< that no pass touches do not become the effect's
     fixed_list<effect_setting, most_settings> settings;
     unsigned views = 1;
-    fixed_text<256> recipe; ///< the parts that were named, with their numbers
+    fixed_text<512> recipe; ///< the parts that were named, with their numbers
     refusal refused{};
 
     /// The first part of a role; null where there is none.
@@ -79,16 +79,22 @@ constexpr bool stands_before(const plan& p, const choice& c) {
     return false;
 }
 
+/// A resource as the numbers and the parts of the effect make it.
+constexpr resource shaped(const plan& p, const choice& owner, const resource& described) {
+    resource own = described;
+    if (own.shape)
+        own.shape(own, {p.parts, owner, p.views});
+    own.shape = nullptr;
+    return own;
+}
+
 constexpr void add_resources(plan& p, const choice& c, unsigned view_divisor) {
     if (stands_before(p, c))
         return;
     for (const resource& described : c.what->resources) {
         if (described.life == lifetime::handed_on || described.life == lifetime::output)
             continue;
-        resource own = described;
-        if (own.shape)
-            own.shape(own, {p.parts, c, p.views});
-        own.shape = nullptr;
+        const resource own = shaped(p, c, described);
         if (p.index_of(own.name, 0) >= 0)
             p.refused = {rules::resource_once, c.what->name, own.name};
         p.resources.add(own);
@@ -168,20 +174,15 @@ constexpr void add_chain(plan& p) {
 }
 
 /// Gives each pass of the chain from `first` on what it writes: the last the images that leave the effect.
-constexpr void connect_chain(plan& p, std::size_t first, bool outputs) {
+constexpr void connect_chain(plan& p, std::size_t first) {
     const choice& output = p.chosen(role::output);
     for (std::size_t i = first; i < p.passes.size(); ++i) {
         planned_pass& pass = p.passes[i];
         pass.last = i + 1 == p.passes.size();
-        if (pass.last != outputs)
-            continue;
         for (const resource& described : output.what->resources) {
             if (described.life != (pass.last ? lifetime::output : lifetime::handed_on))
                 continue;
-            resource own = described;
-            if (own.shape)
-                own.shape(own, {p.parts, output, p.views});
-            own.shape = nullptr;
+            resource own = shaped(p, output, described);
             own.size = pass.size;
             if (!pass.last) {
                 own.name = between[i - first];
@@ -219,8 +220,7 @@ constexpr plan make_plan(array_view<const choice> choices) {
         planning::add_steps(p, c, false, view_divisor);
     const std::size_t first = p.passes.size();
     planning::add_chain(p);
-    planning::connect_chain(p, first, false);
-    planning::connect_chain(p, first, true);
+    planning::connect_chain(p, first);
     for (const choice& c : p.parts)
         planning::add_steps(p, c, true, view_divisor);
     if (p.resources.cut || p.settings.cut || p.views > 1 + most_further_views)

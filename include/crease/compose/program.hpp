@@ -156,7 +156,7 @@ private:
             const resource& r = plan_.resources[i];
             const bool has_copies = !r.further_names.empty();
             const std::size_t own = has_copies ? i + pass_.view : i;
-            if (!is_output(own) && !r.name.starts_with("between_") && r.life != lifetime::output &&
+            if (!is_output(own) && r.life != lifetime::output &&
                 (uses(r.name) || uses("load_", r.name) || uses("size_of_", r.name)))
                 bind(r.name, own, read_access(r));
             if (has_copies)

@@ -45,7 +45,7 @@ public:
     constexpr array_view<const choice> choices() const { return choices_; }
 
     /// The recipe as text, with all numbers.
-    constexpr fixed_text<256> text() const { return recipe_text(choices_); }
+    constexpr fixed_text<512> text() const { return recipe_text(choices_); }
 
 private:
     constexpr void conclude() {

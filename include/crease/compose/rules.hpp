@@ -113,8 +113,8 @@ constexpr refusal check(array_view<const choice> choices) {
 }
 
 /// The recipe of parts as text, with all numbers: `NAME[:NxN...]/...`.
-constexpr fixed_text<256> recipe_text(array_view<const choice> choices) {
-    fixed_text<256> out;
+constexpr fixed_text<512> recipe_text(array_view<const choice> choices) {
+    fixed_text<512> out;
     for (const choice& c : choices) {
         out << (out.count ? "/" : "") << c.what->name;
         for (std::size_t i = 0; i < c.what->numbers.size(); ++i)

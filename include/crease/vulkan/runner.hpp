@@ -105,14 +105,12 @@ public:
     /// @param triangles  must outlive the runs
     /// @param push_constants  as many bytes as the shaders say
     /// @throws error         where there is no such pass, the bytes are not as many, or the device lacks a
-    /// limit
+    ///                       limit
     /// @throws spirv::error  where the host's shaders with the pass's functions do not compile
     void set_geometry(std::string_view pass, const geometry_shaders& host, const mesh& triangles,
                       std::span<const std::byte> push_constants = {}) {
-        for (std::size_t i = geometry_pass_of(pass); i < effect_.passes.size(); ++i) {
+        for (std::size_t i : geometry_passes_of(pass)) {
             const crease::pass& of = effect_.passes[i];
-            if (of.stage != stage_kind::geometry || of.name != pass)
-                continue;
             image* attachment = of.to_attachment() ? bound_.images[of.bindings.back().resource] : nullptr;
             auto prepared = std::make_unique<detail::prepared_geometry>(
                 device_, of, effect_.resources, attachment, size_of(of.size), host, values_of(of));
@@ -127,9 +125,7 @@ public:
     /// @throws error  where there is no such pass, it has no shaders yet, or the bytes are not as many
     void set_geometry(std::string_view pass, const mesh& triangles,
                       std::span<const std::byte> push_constants = {}) {
-        for (std::size_t i = geometry_pass_of(pass); i < effect_.passes.size(); ++i) {
-            if (effect_.passes[i].stage != stage_kind::geometry || effect_.passes[i].name != pass)
-                continue;
+        for (std::size_t i : geometry_passes_of(pass)) {
             if (!geometry_[i])
                 throw error("the geometry pass '" + std::string(pass) + "' has no shaders yet");
             geometry_[i]->set(triangles, push_constants);
@@ -139,8 +135,7 @@ public:
     /// Runs all passes once and waits for them.
     /// @return the time of each pass, in order
     /// @throws error  where an input was neither uploaded nor bound, a geometry pass draws nothing, or the
-    /// view is of
-    ///                another size than the runner
+    ///                view is of another size than the runner
     std::vector<pass_time> run(const parameters& values) {
         expect_ready();
         expect_view(values.view);
@@ -393,15 +388,19 @@ private:
                         std::to_string(guard_) + "; set_projection fills it");
     }
 
-    std::size_t geometry_pass_of(std::string_view name) const {
+    /// Of a name, as one that runs several times stands in the schedule as often.
+    std::vector<std::size_t> geometry_passes_of(std::string_view name) const {
+        std::vector<std::size_t> found;
         std::string names;
         for (std::size_t i = 0; i < effect_.passes.size(); ++i) {
             if (effect_.passes[i].stage != stage_kind::geometry)
                 continue;
             if (effect_.passes[i].name == name)
-                return i;
+                found.push_back(i);
             names += (names.empty() ? "'" : ", '") + std::string(effect_.passes[i].name) + "'";
         }
+        if (!found.empty())
+            return found;
         throw error("there is no geometry pass named '" + std::string(name) + "'; there is " +
                     (names.empty() ? "none" : names));
     }

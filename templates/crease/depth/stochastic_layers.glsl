@@ -64,6 +64,12 @@ crease_contribution crease_combine_rest_of_group(crease_march march, crease_rece
     return all;
 }
 
+crease_contribution crease_combine_group(crease_march march, crease_receiver receiver, crease_tap tap,
+                                         crease_contribution all, vec4 depths) {
+    all = crease_combine_layer(march, receiver, tap, all, depths.x);
+    return crease_combine_rest_of_group(march, receiver, tap, all, depths);
+}
+
 // Combines groups [first, end); `more` says whether the first may hold layers, and then whether one after the last may.
 // The first is weighed without a branch, as neighbouring taps mostly have it too.
 crease_contribution crease_combine_groups(crease_march march, crease_receiver receiver, crease_tap tap,
@@ -71,10 +77,8 @@ crease_contribution crease_combine_groups(crease_march march, crease_receiver re
                                           inout bool more) {
     crease_unroll for (int group = first; group < end; ++group) {
         vec4 depths = more ? layers.groups[group] : vec4(crease_background);
-        if (group == first || more) {
-            all = crease_combine_layer(march, receiver, tap, all, depths.x);
-            all = crease_combine_rest_of_group(march, receiver, tap, all, depths);
-        }
+        if (group == first || more)
+            all = crease_combine_group(march, receiver, tap, all, depths);
         more = depths.w < crease_background;
     }
     return all;
@@ -93,10 +97,8 @@ crease_contribution crease_combine_layers(crease_march march, crease_receiver re
     crease_contribution all = crease_combine_first_group(march, receiver, tap, depths);
     crease_unroll for (int group = 1; group < crease_group_count(); ++group) {
         depths = more ? layers.groups[group] : vec4(crease_background);
-        if (more) {
-            all = crease_combine_layer(march, receiver, tap, all, depths.x);
-            all = crease_combine_rest_of_group(march, receiver, tap, all, depths);
-        }
+        if (more)
+            all = crease_combine_group(march, receiver, tap, all, depths);
         more = depths.w < crease_background;
     }
     return all;

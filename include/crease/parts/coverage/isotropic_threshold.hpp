@@ -2,6 +2,7 @@
 #pragma once
 
 #include <crease/parts/coverage/noise.hpp>
+#include <crease/parts/coverage/opacity.hpp>
 
 namespace crease {
 

@@ -20,8 +20,4 @@ inline constexpr glsl_file threshold_glsl{
 #include <crease/coverage/threshold.glsl>
 };
 
-/// What every coverage reads.
-inline constexpr setting opacity_setting[] = {
-    {"opacity", 0.2f, 0.001f, 1, "probability that a sample keeps a fragment, alpha", true}};
-
 }

@@ -27,12 +27,7 @@ struct atomic_minimum_part {
                                            .clear = ~0u,
                                            .shape = shape_layers}};
     static constexpr const glsl_file* drawing[] = {&atomic_minimum_draw_glsl};
-    static constexpr step captures[] = {{.name = "capture_layers",
-                                         .files = drawing,
-                                         .kind = step_kind::geometry,
-                                         .writes = captured_layers_name,
-                                         .how = access::modify,
-                                         .per_view = true}};
+    static constexpr step captures[] = {capture_layers(drawing, access::modify)};
     static constexpr const glsl_file* files[] = {&atomic_minimum_glsl};
     static constexpr part description{
         .kind = role::layer_storage,

@@ -18,6 +18,16 @@ inline constexpr std::string_view further_captured_layers[] = {"captured_layers_
                                                                "captured_layers_3"};
 inline constexpr std::string_view captured_layers_name[] = {"captured_layers"};
 
+/// The geometry pass that captures the layers, once for each camera.
+constexpr step capture_layers(array_view<const glsl_file* const> drawing, access how) {
+    return {.name = "capture_layers",
+            .files = drawing,
+            .kind = step_kind::geometry,
+            .writes = captured_layers_name,
+            .how = how,
+            .per_view = true};
+}
+
 /// As many samples as the depth source keeps of a texel: a power of 2, at least 2.
 constexpr void shape_samples(resource& own, const shape_of& effect) {
     own.samples = 2;

@@ -11,20 +11,9 @@ inline constexpr glsl_file centred_samples_draw_glsl{
 };
 
 struct centred_samples_part {
-    static constexpr resource layers[] = {{.name = "captured_layers",
-                                           .texels = format::d32_float,
-                                           .life = lifetime::transient,
-                                           .size = {.guarded = true},
-                                           .centred = true,
-                                           .further_names = further_captured_layers,
-                                           .shape = shape_samples}};
+    static constexpr resource layers[] = {multisampled_layers(true)};
     static constexpr const glsl_file* drawing[] = {&centred_samples_draw_glsl, &sample_mask_glsl};
-    static constexpr step captures[] = {{.name = "capture_layers",
-                                         .files = drawing,
-                                         .kind = step_kind::geometry,
-                                         .writes = captured_layers_name,
-                                         .how = access::attachment,
-                                         .per_view = true}};
+    static constexpr step captures[] = {capture_layers(drawing, access::attachment)};
     static constexpr const glsl_file* files[] = {&multisampled_glsl};
     static constexpr part description{
         .kind = role::layer_storage,

@@ -20,20 +20,21 @@ inline constexpr glsl_file multisampled_draw_glsl{
 #include <crease/storage/multisampled_draw.glsl>
 };
 
+/// The multisampled depth image that keeps the layers.
+constexpr resource multisampled_layers(bool centred) {
+    return {.name = "captured_layers",
+            .texels = format::d32_float,
+            .life = lifetime::transient,
+            .size = {.guarded = true},
+            .centred = centred,
+            .further_names = further_captured_layers,
+            .shape = shape_samples};
+}
+
 struct multisampled_part {
-    static constexpr resource layers[] = {{.name = "captured_layers",
-                                           .texels = format::d32_float,
-                                           .life = lifetime::transient,
-                                           .size = {.guarded = true},
-                                           .further_names = further_captured_layers,
-                                           .shape = shape_samples}};
+    static constexpr resource layers[] = {multisampled_layers(false)};
     static constexpr const glsl_file* drawing[] = {&multisampled_draw_glsl, &sample_mask_glsl};
-    static constexpr step captures[] = {{.name = "capture_layers",
-                                         .files = drawing,
-                                         .kind = step_kind::geometry,
-                                         .writes = captured_layers_name,
-                                         .how = access::attachment,
-                                         .per_view = true}};
+    static constexpr step captures[] = {capture_layers(drawing, access::attachment)};
     static constexpr const glsl_file* files[] = {&multisampled_glsl};
     static constexpr part description{
         .kind = role::layer_storage,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <crease/crease.hpp>
 
+#include "placed.hpp"
 #include "text.hpp"
 
 #include <doctest/doctest.h>
@@ -42,13 +43,5 @@ TEST_CASE("atomic_minimum clears an image of as many layers as there are samples
 }
 
 TEST_CASE("the numbers of atomic_minimum place what the host's shader binds") {
-    for (const binding& b : captures.bindings)
-        if (has_descriptor(b.how)) {
-            CHECK(b.set == 1);
-            CHECK(b.slot >= 20);
-        }
-    for (const constant& c : captures.constants)
-        CHECK(c.id >= 30);
-    for (const binding& b : layered::passes[1].bindings)
-        CHECK(b.set == 0); // passes of the effect's own are not placed
+    check_placed(captures, layered::passes[1]);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <crease/crease.hpp>
 
+#include "placed.hpp"
 #include "text.hpp"
 
 #include <doctest/doctest.h>
@@ -38,13 +39,5 @@ TEST_CASE("centred_samples writes no depth, as all samples lie at the centre") {
 }
 
 TEST_CASE("the numbers of centred_samples place what the host's shader binds") {
-    for (const binding& b : captures.bindings)
-        if (has_descriptor(b.how)) {
-            CHECK(b.set == 1);
-            CHECK(b.slot >= 20);
-        }
-    for (const constant& c : captures.constants)
-        CHECK(c.id >= 30);
-    for (const binding& b : layered::passes[1].bindings)
-        CHECK(b.set == 0); // passes of the effect's own are not placed
+    check_placed(captures, layered::passes[1]);
 }
