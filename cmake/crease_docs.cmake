@@ -22,8 +22,9 @@ set(DOXYGEN_MAX_INITIALIZER_LINES 100) # of a part's description
 set(DOXYGEN_WARN_AS_ERROR FAIL_ON_WARNINGS)
 set(DOXYGEN_WARN_IF_INCOMPLETE_DOC NO) # a parameter that its name explains needs no words
 set(DOXYGEN_QUIET YES)
-# What composing, compiling and running are made of, and no host names.
-set(DOXYGEN_EXCLUDE_SYMBOLS *::detail crease::composing crease::joining crease::rules crease::areas)
+# What composing, compiling and running are made of, which no host names.
+set(DOXYGEN_EXCLUDE_SYMBOLS *::detail crease::composing crease::joining crease::rules crease::areas *_glsl)
+set(DOXYGEN_DISTRIBUTE_GROUP_DOC YES)
 foreach(machine assertions core_files described interface_text joining linker plan program refusal rules symbols)
     list(APPEND DOXYGEN_EXCLUDE include/crease/compose/${machine}.hpp)
 endforeach()

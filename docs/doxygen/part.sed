@@ -5,6 +5,7 @@ s|^( *)static constexpr number |\1/// The numbers that it takes: name, least, mo
 s|^( *)static constexpr setting |\1/// The settings that it reads: name, fallback, least, most, meaning.\n&|
 s|^( *)static constexpr resource |\1/// Images and buffers that it reads or fills.\n&|
 s|^( *)static constexpr step |\1/// Passes of its own.\n&|
+s|^( *)static constexpr step_constant |\1/// Constants of its steps.\n&|
 s|^( *)static constexpr std::string_view |\1/// Names of resources that a step fills.\n&|
 s|^( *)static constexpr role |\1/// The roles of which it requires a part.\n&|
 s|^( *)static constexpr const glsl_file\*|\1/// Its GLSL.\n&|

@@ -233,6 +233,7 @@ struct effect {
     static constexpr effect_view view() {
         return {passes, resources, settings, composing::planned<effect>.views, features, defaults};
     }
+    /// The same, without a word: an effect is passed where its data is asked for.
     constexpr operator effect_view() const { return view(); }
 };
 
