@@ -73,7 +73,7 @@ public:
 private:
     struct storage {
         program written;
-        char interface[interface_text::most_characters];
+        char head[interface_text::most_characters];
         piece pieces[1 + 192];
         std::size_t piece_count = 0;
     };
@@ -86,8 +86,8 @@ private:
             tables[i] = &table_of(files[i]);
         own.written = write_program(planned, each, {tables, files.size()});
         own.written.cut = own.written.cut || tables_.cut;
-        own.written.interface.write(own.interface);
-        own.pieces[own.piece_count++] = {"interface", {own.interface, own.written.interface.size()}};
+        own.written.head.write(own.head);
+        own.pieces[own.piece_count++] = {"interface", {own.head, own.written.head.size()}};
         for (const linker::linked& each_definition : own.written.definitions)
             own.pieces[own.piece_count++] = piece_of(each_definition);
     }

@@ -64,14 +64,13 @@ constexpr unpacked<Words> unpack(const interface_text& text) {
 
 /// The characters of a program's interface, filled up with zeros.
 template <class Effect, std::size_t Pass>
-inline constexpr auto
-    interface = unpack<(written<Effect, Pass>.interface.size() + 7) / 8>(written<Effect, Pass>.interface);
+inline constexpr auto head = unpack<(written<Effect, Pass>.head.size() + 7) / 8>(written<Effect, Pass>.head);
 
 template <class Effect, std::size_t Pass>
 constexpr auto list_pieces() {
     constexpr const program& own = written<Effect, Pass>;
     std::array<piece, 1 + own.definitions.size()> all{};
-    all[0] = {"interface", {interface<Effect, Pass>.characters, own.interface.size()}};
+    all[0] = {"interface", {head<Effect, Pass>.characters, own.head.size()}};
     for (std::size_t i = 1; i < all.size(); ++i)
         all[i] = piece_of(own.definitions.items[i - 1]);
     return all;
