@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t most_unrolled =
     1 << 17; // words of a loop written out, beyond which optimising takes long
 
-/// Asks for those loops to be unrolled that hold no other and are not too long, and for no others.
+/// Asks the optimiser to unroll the innermost loops that are not too long, and no others.
 /// @return whether there are any
 bool mark_loops(spirv::words& module) {
     const std::vector<module_loop> loops = find_loops(module);

@@ -11,8 +11,7 @@ namespace crease {
 /// The parts of an effect chosen at run time, from text or from values, or the reason why they make none.
 ///
 /// The text is `SAMPLER/DEPTH/ESTIMATOR` and then `/PART` for each filter, in the order in which they run,
-/// and for each view part, stage or dialect that is not the default. A part is its name and, where it takes
-/// numbers,
+/// and for each other part that is not the default. A part is its name and, where it takes numbers,
 /// `:NxN...`; without them it has its defaults: `directions:8x4/single_layer/hbao/bilateral`.
 class recipe {
 public:

@@ -9,7 +9,7 @@
 namespace crease {
 
 /// An effect as data, whether it was composed at compile time or at run time: all a renderer needs to run it.
-/// Views static storage, or that of the `composition` it came from.
+/// It views static storage, or that of the `composition` that it came from.
 struct effect_view {
     array_view<const pass> passes;        ///< in the order of execution, geometry passes among them
     array_view<const resource> resources; ///< resource 0 is the block of parameters; the outputs come last

@@ -27,12 +27,12 @@ struct further_view {
     constexpr bool operator==(const further_view&) const = default;
 };
 
-/// What a host gives an effect each frame; `write_block` makes the bytes of the uniform block of it.
+/// What a host gives an effect each frame; `write_block` turns it into the bytes of the uniform block.
 struct parameters {
     view_parameters view;                           ///< of the picture
     further_view further_views[most_further_views]; ///< the first `effect_view::views` - 1 count
     float radius = 1;                               ///< AO radius R, view-space units, >= 0
-    std::uint32_t frame = 0;                        ///< index that changes the per-pixel randomness
+    std::uint32_t frame = 0;                        ///< of the picture; another gives other noise
     float settings[most_settings]{};                ///< in the order of `effect_view::settings`; see `set`
 
     /// Member by member.

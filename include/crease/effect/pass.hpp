@@ -81,9 +81,9 @@ struct pass {
         return stage == stage_kind::compute ? static_cast<unsigned>(constants[1].value) : 0;
     }
 
-    /// Of a geometry pass, whether it fills a multisampled depth attachment, with the host's depth test and
-    /// clear value, whose sample mask the shader sets, and the depth too where the resource's samples are not
-    /// `centred`. Else it draws without attachments and without depth test.
+    /// Whether a geometry pass draws to a multisampled depth attachment, with the host's depth test and clear
+    /// value; the shader sets the sample mask, and the depth too where the resource is not `centred`. Other
+    /// geometry passes draw without attachments and without a depth test.
     constexpr bool to_attachment() const { return bindings.back().how == access::attachment; }
 };
 

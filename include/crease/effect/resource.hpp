@@ -48,13 +48,13 @@ struct resource {
     array_view<const std::string_view> further_names{}; ///< where each camera has its own, of the size of its
                                                         ///< picture: names of those beside the picture's
     access read = access::sample;   ///< how passes read it: by a sampler, or texel by texel (load)
-    std::string_view previous_of{}; ///< of a history that is read: the resource that passes write, whose
-                                    ///< content of the frame before it holds
+    std::string_view previous_of{}; ///< of a history that is read: names the resource that passes write; this
+                                    ///< one holds what that held after the frame before
     bool cleared = false;           ///< whether it holds `clear` before the first pass of each frame
     std::uint32_t clear = 0;        ///< bits of each component
     void (*fill)(array_view<std::uint32_t> texels) = nullptr; ///< of a constant: its texels, row after row
     void (*shape)(resource& own, const shape_of& effect) =
-        nullptr; ///< of a part's description: says the size, layers, samples, format or fill by numbers
+        nullptr; ///< in a part's description: sets size, layers, samples, format or fill from numbers
 };
 
 }
