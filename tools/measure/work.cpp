@@ -35,7 +35,7 @@ spirv::words optimised(const spirv::words& module, spvtools::Optimizer& optimise
     optimiser.RegisterPerformancePasses();
     spirv::words result;
     if (!optimiser.Run(module.data(), module.size(), &result))
-        throw spirv::error("the optimiser refuses the module whose work is to be counted");
+        throw spirv::error("the module whose work is to be counted cannot be optimised");
     return result;
 }
 
