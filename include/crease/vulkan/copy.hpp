@@ -73,11 +73,8 @@ inline std::vector<std::byte> download_bytes(device& on, image& from) {
         const VkBufferImageCopy region = detail::whole(from);
         from.transition(commands, copied_from);
         vkCmdCopyImageToBuffer(commands, from.handle(), copied_from.layout, staging.handle(), 1, &region);
-        auto barrier = detail::blank<VkMemoryBarrier>(VK_STRUCTURE_TYPE_MEMORY_BARRIER);
-        barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
-        barrier.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
-        vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1,
-                             &barrier, 0, nullptr, 0, nullptr);
+        detail::memory_barrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT,
+                               VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT);
     });
     const std::span<const std::byte> bytes = staging.bytes();
     return {bytes.begin(), bytes.end()};
