@@ -42,7 +42,10 @@ struct step {
     int group_width = 16, group_height = 16; ///< of a compute pass that is no result, invocations
     int from = 0;                            ///< the part's first number from which on the step is there
     int times = 1;                           ///< how often it runs, one after the other
-    bool per_view = false;                   ///< whether it runs once for each camera
+    unsigned level = 0;                      ///< mip level that it writes
+    bool further_levels = false; ///< whether it runs once for each level from that on, where it reads the one
+                                 ///< before by `crease_load_input`
+    bool per_view = false;       ///< whether it runs once for each camera
     bool full_size_input = false; ///< of a filter, whether its input must be as large as the picture
     int upsampling = -1; ///< of a filter, index of the number by which its output is larger; -1: none
 };

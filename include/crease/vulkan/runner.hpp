@@ -66,8 +66,8 @@ public:
     }
 
     /// Fills an input, given by its resource's name, with the texels of an image of its declared size, guard
-    /// band included, and format: row after row from the top, layer after layer. Real numbers suit all
-    /// formats but r32_uint; there is one for each component of a texel.
+    /// band included, and format: row after row from the top, layer after layer, level after level.
+    /// Real numbers suit all formats but r32_uint; there is one for each component of a texel.
     /// @throws error  where there is no such input, or the count is another
     void upload(std::string_view name, std::span<const float> numbers) {
         vulkan::upload(device_, own_input(name), numbers);
@@ -148,7 +148,7 @@ public:
             for (std::size_t i = 0; i < passes_.size(); ++i) {
                 if (passes_[i])
                     passes_[i]->record(commands, bound_);
-                else
+                else if (geometry_[i])
                     geometry_[i]->record(commands, bound_);
                 timestamps_.mark(commands);
             }
@@ -208,8 +208,9 @@ private:
     detail::owned_sampler sampler_;
     std::vector<std::unique_ptr<image>> own_; ///< by resource; null where it has none
     std::vector<std::unique_ptr<buffer>> own_buffers_;
-    detail::bound_resources bound_;                              ///< its own, or what is bound to it
-    std::vector<std::unique_ptr<detail::prepared_pass>> passes_; ///< null for a geometry pass
+    detail::bound_resources bound_; ///< its own, or what is bound to it
+    std::vector<std::unique_ptr<detail::prepared_pass>>
+        passes_; ///< null for a geometry pass and one left out
     std::vector<std::unique_ptr<detail::prepared_geometry>> geometry_;
     bool descriptors_are_old_ = true;
 
@@ -256,6 +257,7 @@ private:
                                                                      .height = size_of(r.size).height,
                                                                      .layers = r.layers,
                                                                      .samples = r.samples,
+                                                                     .levels = r.levels,
                                                                      .arrayed = r.arrayed,
                                                                      .centred = r.centred,
                                                                      .usage = usage_of(i)});
@@ -350,7 +352,7 @@ private:
         for (std::size_t i = 0; i < passes_.size(); ++i)
             if (passes_[i])
                 passes_[i]->write_descriptors(bound_, sampler_);
-            else
+            else if (geometry_[i])
                 geometry_[i]->write_descriptors(bound_, sampler_);
         descriptors_are_old_ = false;
     }
@@ -360,7 +362,7 @@ private:
             if (is_image(i) && !bound_.images[i])
                 throw error("the input " + quoted(i) + " was neither uploaded nor bound");
         for (std::size_t i = 0; i < passes_.size(); ++i)
-            if (!passes_[i] && !geometry_[i])
+            if (effect_.passes[i].stage == stage_kind::geometry && !geometry_[i])
                 throw error("nothing is drawn in the geometry pass '" + std::string(effect_.passes[i].name) +
                             "'; set_geometry says what is");
     }
@@ -425,13 +427,20 @@ private:
                         " passes, but shaders for " + std::to_string(options.shaders.size()) + " were given");
         for (std::size_t i = 0; i < effect_.passes.size(); ++i) {
             const pass& each = effect_.passes[i];
-            if (each.stage == stage_kind::geometry)
+            if (each.stage == stage_kind::geometry || !has_its_level(each))
                 continue;
             passes_[i] = std::make_unique<detail::prepared_pass>(
                 device_, each, effect_.resources,
                 options.shaders.empty() ? compile(each) : options.shaders[i], values_of(each),
                 outputs_of(each), size_of(each.size));
         }
+    }
+
+    /// Whether the images that a pass writes are large enough to have the mip level that it writes.
+    bool has_its_level(const pass& each) const {
+        return std::ranges::all_of(each.bindings, [this](const binding& b) {
+            return b.level == binding::all_levels || b.level < bound_.images[b.resource]->levels();
+        });
     }
 
     /// Of a pass's constants, in their order.
@@ -451,13 +460,15 @@ private:
             if (!writes(written.how))
                 continue;
             for (const binding& b : each.bindings)
-                if (!writes(b.how) && b.resource == written.resource)
+                if (!writes(b.how) && b.resource == written.resource &&
+                    (b.level == written.level || b.level == binding::all_levels))
                     throw error("pass '" + std::string(each.name) + "' both reads and writes " +
                                 quoted(written.resource));
             if (!is_image(written.resource))
                 continue; // a pass of any size may write a list or a counter
-            const VkExtent2D runs = size_of(each.size),
-                             has = size_of(effect_.resources[written.resource].size);
+            extent own = effect_.resources[written.resource].size;
+            own.level = each.size.level;
+            const VkExtent2D runs = size_of(each.size), has = size_of(own);
             if (runs.width > has.width || runs.height > has.height ||
                 (each.stage == stage_kind::fragment &&
                  (runs.width != has.width || runs.height != has.height)))
@@ -509,6 +520,10 @@ private:
             given.samples != wanted.samples)
             throw error(refusal + "it has " + std::to_string(given.layers) + " layers and " +
                         std::to_string(given.samples) + " samples a texel");
+        if (given.levels < wanted.levels &&
+            given.levels < std::bit_width(std::max(given.width, given.height)))
+            throw error(refusal + "it has " + std::to_string(given.levels) + " mip levels, not " +
+                        std::to_string(wanted.levels));
         if (given.width < size_of(wanted.size).width || given.height < size_of(wanted.size).height)
             throw error(refusal + "it is only " + std::to_string(given.width) + " x " +
                         std::to_string(given.height));
