@@ -10,6 +10,7 @@
 #include <crease/parts/coverage/isotropic_threshold.hpp>
 #include <crease/parts/coverage/simple_hash.hpp>
 #include <crease/parts/coverage/stratified.hpp>
+#include <crease/parts/depth/depth_pyramid.hpp>
 #include <crease/parts/depth/mip_chain.hpp>
 #include <crease/parts/depth/n_buffer.hpp>
 #include <crease/parts/depth/single_layer.hpp>
@@ -91,6 +92,7 @@ inline constexpr const part* all_parts[] = {
     &summed_area_adaptive_part::description,
     &n_buffer_part::description,
     &mip_chain_part::description,
+    &depth_pyramid_part::description,
     &hbao::description,
     &hbao_plus::description,
     &mean_height_part::description,

@@ -6,6 +6,7 @@
 #include <crease/vulkan/usage.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -182,6 +183,7 @@ private:
                                                                      .height = size_of(r.size).height,
                                                                      .layers = r.layers,
                                                                      .samples = r.samples,
+                                                                     .levels = r.levels,
                                                                      .arrayed = r.arrayed,
                                                                      .centred = r.centred,
                                                                      .usage = usage});
@@ -259,6 +261,10 @@ private:
             given.samples != wanted.samples)
             throw error(refusal + "it has " + std::to_string(given.layers) + " layers and " +
                         std::to_string(given.samples) + " samples a texel");
+        if (given.levels < wanted.levels &&
+            given.levels < std::bit_width(std::max(given.width, given.height)))
+            throw error(refusal + "it has " + std::to_string(given.levels) + " mip levels, not " +
+                        std::to_string(wanted.levels));
         if (given.width < size_of(wanted.size).width || given.height < size_of(wanted.size).height)
             throw error(refusal + "it is only " + std::to_string(given.width) + " x " +
                         std::to_string(given.height));

@@ -46,8 +46,8 @@ public:
     runner& operator=(const runner&) = delete;
 
     /// Fills an input, given by its resource's name, with the texels of an image of its declared size, guard
-    /// band included, and format: row after row from the top, layer after layer. Real numbers suit all
-    /// formats but r32_uint; there is one for each component of a texel.
+    /// band included, and format: row after row from the top, layer after layer, level after level.
+    /// Real numbers suit all formats but r32_uint; there is one for each component of a texel.
     /// @throws error  where there is no such input, or the count is another
     void upload(std::string_view name, std::span<const float> numbers) {
         vulkan::upload(device_, resources_.own_input(name), numbers);

@@ -55,6 +55,13 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     vec2 texel = floor(pattern.first + pattern.march * (along * density));
     return crease_tap(texel, crease_inside(texel), pattern.share * density);
 }
+
+float crease_tap_spacing(crease_pattern pattern, crease_receiver receiver, int step) {
+    float along = float(step) + pattern.offset, spacing = length(pattern.march) * float(crease_directions_power);
+    for (int i = 1; i < crease_directions_power; ++i)
+        spacing *= along;
+    return spacing;
+}
 #ifdef __cplusplus
 ")glsl"
 #endif

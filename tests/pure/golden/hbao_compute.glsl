@@ -306,6 +306,11 @@ crease_layers crease_fetch_first_layers(vec2 texel) { return crease_fetch_layers
 
 crease_fetched crease_fetch(vec2 texel) { return crease_fetched(crease_fetch_first_layers(texel)); }
 
+// A source that holds several sizes of texels chooses among them here.
+crease_fetched crease_fetch_tap(crease_pattern pattern, crease_receiver receiver, int step, crease_tap tap) {
+    return crease_fetch(tap.texel);
+}
+
 struct crease_contribution {
     float occlusion;
     float rise; // of the horizon after it
@@ -364,7 +369,7 @@ void crease_gather_taps(inout crease_march march, inout crease_pattern pattern, 
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count) {
             taps[i] = crease_pattern_tap(pattern, receiver, first + i);
-            fetched[i] = crease_fetch(taps[i].texel);
+            fetched[i] = crease_fetch_tap(pattern, receiver, first + i, taps[i]);
         }
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count)
