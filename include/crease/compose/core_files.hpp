@@ -55,6 +55,11 @@ inline constexpr glsl_file result_glsl{
 #include <crease/core/result.glsl>
 };
 
+inline constexpr glsl_file no_normal_glsl{
+    "core/no_normal.glsl",
+#include <crease/core/no_normal.glsl>
+};
+
 inline constexpr glsl_file strength_glsl{
     "core/strength.glsl",
 #include <crease/core/strength.glsl>
@@ -83,6 +88,6 @@ inline constexpr glsl_file build_columns_glsl{
 /// What every program may call: each is a default, in whose place a part may define its own.
 inline constexpr const glsl_file* core_files[] = {
     &view_glsl,        &texels_glsl,   &receiver_glsl, &layer_glsl,  &fetch_glsl,    &combine_glsl,
-    &skip_behind_glsl, &gathered_glsl, &gather_glsl,   &result_glsl, &strength_glsl, &pixel_glsl};
+    &skip_behind_glsl, &gathered_glsl, &gather_glsl,   &result_glsl, &no_normal_glsl, &strength_glsl, &pixel_glsl};
 
 }

@@ -27,6 +27,8 @@
 #include <crease/parts/estimator/ssao.hpp>
 #include <crease/parts/estimator/unsharp_mask.hpp>
 #include <crease/parts/filter/bilateral.hpp>
+#include <crease/parts/filter/plane_filter.hpp>
+#include <crease/parts/filter/separable_plane_filter.hpp>
 #include <crease/parts/filter/upsample.hpp>
 #include <crease/parts/noise/hashed_noise.hpp>
 #include <crease/parts/noise/tiled_noise.hpp>
@@ -121,6 +123,8 @@ inline constexpr const part* all_parts[] = {
     &rgba8::description,
     &r32f::description,
     &bilateral_part::description,
+    &plane_filter_part::description,
+    &separable_plane_filter_part::description,
     &upsample_part::description,
     &perspective::description,
     &orthographic::description,
