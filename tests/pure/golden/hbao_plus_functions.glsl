@@ -150,7 +150,7 @@ struct crease_pattern {
     float offset;   // of the first radius
 };
 
-// Two numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
+// Three numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
 uvec3 crease_hashed_noise_mix(uvec3 v) {
     v = v * 1664525u + 1013904223u;
     v += v.yzx * v.zxy;
@@ -159,12 +159,12 @@ uvec3 crease_hashed_noise_mix(uvec3 v) {
     return v;
 }
 
-vec2 crease_noise(ivec2 pixel) {
-    return vec2(crease_hashed_noise_mix(uvec3(uvec2(pixel), crease_frame)).xy >> 8u) * (1.0 / 16777216.0);
+vec3 crease_noise(ivec2 pixel) {
+    return vec3(crease_hashed_noise_mix(uvec3(uvec2(pixel), crease_frame)) >> 8u) * (1.0 / 16777216.0);
 }
 
 crease_pattern crease_pattern_begin(crease_receiver receiver) {
-    vec2 noise = crease_noise(receiver.pixel);
+    vec2 noise = crease_noise(receiver.pixel).xy;
     float angle = 6.28318531 * noise.x;
     return crease_pattern(vec2(cos(angle), sin(angle)), noise.y);
 }
