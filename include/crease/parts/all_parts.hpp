@@ -30,7 +30,10 @@
 #include <crease/parts/filter/plane_filter.hpp>
 #include <crease/parts/filter/separable_plane_filter.hpp>
 #include <crease/parts/filter/upsample.hpp>
+#include <crease/parts/noise/blue_noise.hpp>
 #include <crease/parts/noise/hashed_noise.hpp>
+#include <crease/parts/noise/hilbert_noise.hpp>
+#include <crease/parts/noise/interleaved_gradient_noise.hpp>
 #include <crease/parts/noise/tiled_noise.hpp>
 #include <crease/parts/output/bent_cone.hpp>
 #include <crease/parts/output/packed_bent_cone.hpp>
@@ -135,6 +138,9 @@ inline constexpr const part* all_parts[] = {
     &reconstructed_normals::description,
     &hashed_noise::description,
     &tiled_noise_part::description,
+    &interleaved_gradient_noise::description,
+    &hilbert_noise::description,
+    &blue_noise::description,
     &first_surface::description,
     &texel_fetch::description,
     &image_load::description,

@@ -27,8 +27,7 @@ inline constexpr resource visibility_image{.name = "visibility",
                                            .shape = shape_visibility};
 
 /// `normal` in crease_result, which is handed on where a filter needs it.
-CREASE_TRAIT(handed_on_normals, output,
-             "the filter weighs by normals, and the output hands on none");
+CREASE_TRAIT(handed_on_normals, output, "the filter weighs by normals, and the output hands on none");
 
 /// The format that filters give what passes hand on: wide enough for the normal too, where one needs it.
 constexpr void shape_between(resource& own, const shape_of& effect) {
