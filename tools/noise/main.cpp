@@ -17,6 +17,7 @@ int main() {
               "/// in two characters of 64 each, the digits '#' to 'd' without the question mark and the\n"
               "/// backslash. Written by crease_blue_noise_tile.\n"
               "inline constexpr unsigned blue_noise_side = 64;\n"
+              "// clang-format off\n"
               "inline constexpr char blue_noise_ranks[] =");
     const auto character = [](unsigned digit) {
         unsigned code = digit + '#';

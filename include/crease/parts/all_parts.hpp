@@ -19,6 +19,7 @@
 #include <crease/parts/depth/summed_area_uniform.hpp>
 #include <crease/parts/dialect/opengl.hpp>
 #include <crease/parts/dialect/vulkan.hpp>
+#include <crease/parts/estimator/cosine_bitmask.hpp>
 #include <crease/parts/estimator/hbao.hpp>
 #include <crease/parts/estimator/hbao_plus.hpp>
 #include <crease/parts/estimator/line_volume.hpp>
@@ -48,6 +49,7 @@
 #include <crease/parts/sampler/box_area.hpp>
 #include <crease/parts/sampler/box_window.hpp>
 #include <crease/parts/sampler/directions.hpp>
+#include <crease/parts/sampler/half_directions.hpp>
 #include <crease/parts/sampler/hemisphere_lines.hpp>
 #include <crease/parts/sampler/hemisphere_points.hpp>
 #include <crease/parts/sampler/poisson_disk.hpp>
@@ -81,6 +83,7 @@ namespace crease {
 /// Every part of crease, for recipes and lists.
 inline constexpr const part* all_parts[] = {
     &directions_part::description,
+    &half_directions_part::description,
     &hemisphere_points_part::description,
     &poisson_disk_part::description,
     &sphere_points_part::description,
@@ -98,6 +101,7 @@ inline constexpr const part* all_parts[] = {
     &mip_chain_part::description,
     &hbao::description,
     &hbao_plus::description,
+    &cosine_bitmask_part::description,
     &mean_height_part::description,
     &ssao::description,
     &point_volume::description,
