@@ -42,8 +42,7 @@ constexpr file_list files_of(const plan& p, const planned_pass& pass) {
         break;
     }
     for (const choice& c : p.parts)
-        if (c.what->kind != role::filter &&
-            (c.what->kind != role::stage || pass.what->kind == step_kind::result))
+        if (c.what->kind != role::stage || pass.what->kind == step_kind::result)
             for (const glsl_file* file : c.what->files)
                 files.add(file);
     for (const glsl_file* file : core_files)

@@ -29,8 +29,13 @@
 #include <crease/parts/estimator/ssao.hpp>
 #include <crease/parts/estimator/unsharp_mask.hpp>
 #include <crease/parts/filter/bilateral.hpp>
+#include <crease/parts/filter/plane_filter.hpp>
+#include <crease/parts/filter/separable_plane_filter.hpp>
 #include <crease/parts/filter/upsample.hpp>
+#include <crease/parts/noise/blue_noise.hpp>
 #include <crease/parts/noise/hashed_noise.hpp>
+#include <crease/parts/noise/hilbert_noise.hpp>
+#include <crease/parts/noise/interleaved_gradient_noise.hpp>
 #include <crease/parts/noise/tiled_noise.hpp>
 #include <crease/parts/output/bent_cone.hpp>
 #include <crease/parts/output/packed_bent_cone.hpp>
@@ -127,6 +132,8 @@ inline constexpr const part* all_parts[] = {
     &rgba8::description,
     &r32f::description,
     &bilateral_part::description,
+    &plane_filter_part::description,
+    &separable_plane_filter_part::description,
     &upsample_part::description,
     &perspective::description,
     &orthographic::description,
@@ -137,6 +144,9 @@ inline constexpr const part* all_parts[] = {
     &reconstructed_normals::description,
     &hashed_noise::description,
     &tiled_noise_part::description,
+    &interleaved_gradient_noise::description,
+    &hilbert_noise::description,
+    &blue_noise::description,
     &first_surface::description,
     &texel_fetch::description,
     &image_load::description,
