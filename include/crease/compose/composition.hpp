@@ -50,6 +50,7 @@ public:
             if (map.is_used[i])
                 resources_.add(describe(planned.resources[i]));
         settings_ = planned.settings;
+        recipe_ = planned.recipe;
         views_ = planned.views;
         features_ = required_features(planned);
         defaults_ = default_parameters(settings_);
@@ -63,7 +64,9 @@ public:
     /// One sentence that says why not; empty where there are.
     std::string_view error() const { return error_.view(); }
 
-    effect_view view() const& { return {passes_, resources_, settings_, views_, features_, defaults_}; }
+    effect_view view() const& {
+        return {passes_, resources_, settings_, views_, features_, defaults_, recipe_.view()};
+    }
     operator effect_view() const& { return view(); }
     effect_view view() const&& = delete; // it would view what is gone
     operator effect_view() const&& = delete;
@@ -108,6 +111,7 @@ private:
     unsigned views_ = 1;
     device_features features_;
     parameters defaults_;
+    fixed_text<512> recipe_;
     fixed_text<512> error_;
 };
 

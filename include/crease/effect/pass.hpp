@@ -5,6 +5,7 @@
 #include <crease/effect/array_view.hpp>
 #include <crease/effect/extent.hpp>
 
+#include <cstdint>
 #include <string_view>
 
 namespace crease {
@@ -69,7 +70,10 @@ struct pass {
         constants; ///< of a compute pass the first two are the workgroup's width and height
     extent size;   ///< of the outputs
     dispatch covers = dispatch::texels;
-    unsigned view = 0; ///< index of the camera whose picture it makes
+    unsigned view = 0;                       ///< index of the camera whose picture it makes
+    array_view<const std::uint32_t> spirv{}; ///< words made beforehand, by `crease_add_shader`, in place
+                                             ///< of the pieces; empty: compile those
+    array_view<const std::uint32_t> vertex_spirv{}; ///< the same of a fragment pass's vertex shader
 
     /// Workgroup width and height in invocations; 0 where the pass is not compute.
     constexpr unsigned group_width() const {

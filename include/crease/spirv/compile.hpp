@@ -59,10 +59,13 @@ constexpr shader_stage stage_of(const pass& which) {
 
 namespace crease::spirv {
 
-/// Compiles the compute or fragment shader of a Vulkan pass; see compile() above.
+/// Compiles the compute or fragment shader of a Vulkan pass; see compile() above. One that was compiled
+/// beforehand is given as it is, whatever the version.
 /// @throws error  also where the pass has no main (stage `functions`) or is for OpenGL
 inline words compile(const pass& which, vulkan_version version = vulkan_version::v1_1) {
     detail::expect_program(which, dialect_kind::vulkan);
+    if (!which.spirv.empty())
+        return {which.spirv.begin(), which.spirv.end()};
     return compile(which.pieces, detail::stage_of(which), detail::title_of(which), version);
 }
 
@@ -70,6 +73,8 @@ inline words compile(const pass& which, vulkan_version version = vulkan_version:
 /// @throws error  also where the pass has no vertex shader
 inline words compile_vertex(const pass& which, vulkan_version version = vulkan_version::v1_1) {
     detail::expect_program(which, dialect_kind::vulkan);
+    if (!which.vertex_spirv.empty())
+        return {which.vertex_spirv.begin(), which.vertex_spirv.end()};
     if (which.vertex_pieces.empty())
         throw error(detail::title_of(which) + " has no vertex shader");
     return compile(which.vertex_pieces, shader_stage::vertex, detail::title_of(which), version);
