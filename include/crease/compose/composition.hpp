@@ -64,9 +64,11 @@ public:
     /// One sentence that says why not; empty where there are.
     std::string_view error() const { return error_.view(); }
 
+    /// The effect as data, of which this holds the text and the lists.
     effect_view view() const& {
         return {passes_, resources_, settings_, views_, features_, defaults_, recipe_.view()};
     }
+    /// The same, without a word: an effect is passed where its data is asked for.
     operator effect_view() const& { return view(); }
     effect_view view() const&& = delete; // it would view what is gone
     operator effect_view() const&& = delete;

@@ -243,6 +243,7 @@ struct effect {
                 defaults,
                 composing::recipe_name<effect>.view()};
     }
+    /// The same, without a word: an effect is passed where its data is asked for.
     constexpr operator effect_view() const { return view(); }
 };
 

@@ -42,6 +42,7 @@ public:
     /// One sentence that says why not; empty where they do. The same as the static assertion of `effect`.
     constexpr std::string_view error() const { return error_.view(); }
 
+    /// The parts with their numbers, in the order of the text; they live as long as the recipe.
     constexpr array_view<const choice> choices() const { return choices_; }
 
     /// The recipe as text, with all numbers.

@@ -34,6 +34,7 @@ struct device_features {
         centred_depth_samples |= more.centred_depth_samples;
         return *this;
     }
+    /// Member by member.
     constexpr bool operator==(const device_features&) const = default;
 };
 

@@ -15,7 +15,7 @@ struct effect_view {
     array_view<const resource> resources; ///< resource 0 is the block of parameters; the outputs come last
     array_view<const effect_setting> settings; ///< in the order of the block of parameters
     unsigned views = 1;                        ///< cameras, that of the picture included
-    device_features features;
+    device_features features;                  ///< that the device must have
     parameters defaults;       ///< the settings as the parts recommend them; no view in it yet
     std::string_view recipe{}; ///< what it was composed of, with all numbers: with the version of crease it
                                ///< says each word of the text

@@ -6,16 +6,21 @@ namespace crease {
 /// How large an image is: the resolution of the picture divided by `divisor`, rounded up, on each axis; with
 /// the guard band around it where it is `guarded`. Or of a fixed size.
 struct extent {
-    unsigned divisor = 1;
-    bool guarded = false;
-    unsigned fixed_width = 0, fixed_height = 0; ///< texels; 0: follows the picture
+    unsigned divisor = 1;      ///< of the picture's sides, > 0
+    bool guarded = false;      ///< whether it has the guard band, on each side
+    unsigned fixed_width = 0;  ///< texels; 0: follows the picture
+    unsigned fixed_height = 0; ///< height, likewise
 
+    /// The sides of an image for a picture of a size, all in texels.
+    /// @{
     constexpr unsigned width_of(unsigned picture_width, unsigned guard = 0) const {
         return fixed_width ? fixed_width : of(picture_width, guard);
     }
     constexpr unsigned height_of(unsigned picture_height, unsigned guard = 0) const {
         return fixed_height ? fixed_height : of(picture_height, guard);
     }
+    /// @}
+    /// Member by member.
     constexpr bool operator==(const extent&) const = default;
 
 private:

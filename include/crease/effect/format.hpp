@@ -21,12 +21,13 @@ enum class format : unsigned char {
 
 /// What GLSL and a device must know of a format.
 struct format_facts {
-    std::string_view name;
+    std::string_view name;      ///< as in `format`
     std::string_view glsl;      ///< in the layout of a storage image; empty where there are none
     bool whole_numbers = false; ///< texels are unsigned integers
     bool extended = false;      ///< storing needs shaderStorageImageExtendedFormats
 };
 
+/// In the order of `format`.
 inline constexpr format_facts facts_of_formats[] = {
     {"none", ""},
     {"r8_unorm", "r8", false, true},
@@ -40,6 +41,7 @@ inline constexpr format_facts facts_of_formats[] = {
     {"d32_float", ""},
 };
 
+/// What GLSL and a device must know of `f`.
 constexpr const format_facts& facts_of(format f) {
     return facts_of_formats[static_cast<unsigned>(f)];
 }

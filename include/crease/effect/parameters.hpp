@@ -12,38 +12,42 @@
 
 namespace crease {
 
-/// The most cameras of an effect beside that of the picture, and the most settings of its parts.
-inline constexpr std::size_t most_further_views = 3, most_settings = 24;
+/// The most cameras of an effect beside that of the picture.
+inline constexpr std::size_t most_further_views = 3,
+                             most_settings = 24; ///< of the parts of an effect, together
 
 /// A camera beside that of the picture.
 struct further_view {
-    view_parameters view;
+    view_parameters view; ///< of this camera, whose picture may be smaller than the first's
     float from_first[16] = {1, 0, 0, 0, 0, 1, 0, 0,
                             0, 0, 1, 0, 0, 0, 0, 1}; ///< column-major, from the view space of the picture's
                                                      ///< camera to that of this one
 
+    /// Member by member.
     constexpr bool operator==(const further_view&) const = default;
 };
 
 /// What a host gives an effect each frame; `write_block` makes the bytes of the uniform block of it.
 struct parameters {
-    view_parameters view; ///< of the picture
-    further_view further_views[most_further_views];
-    float radius = 1;                ///< AO radius R, view-space units, >= 0
-    std::uint32_t frame = 0;         ///< index that changes the per-pixel randomness
-    float settings[most_settings]{}; ///< in the order of `effect_view::settings`; see `set`
+    view_parameters view;                           ///< of the picture
+    further_view further_views[most_further_views]; ///< the first `effect_view::views` - 1 count
+    float radius = 1;                               ///< AO radius R, view-space units, >= 0
+    std::uint32_t frame = 0;                        ///< index that changes the per-pixel randomness
+    float settings[most_settings]{};                ///< in the order of `effect_view::settings`; see `set`
 
+    /// Member by member.
     constexpr bool operator==(const parameters&) const = default;
 };
 
 /// A setting of an effect, as its parts describe it.
 struct effect_setting {
-    std::string_view part; ///< that owns it
-    std::string_view name;
-    float fallback;    ///< what the part recommends
-    float least, most; ///< inclusive
-    std::string_view meaning;
-    bool shared; ///< by all parts of the effect that name it
+    std::string_view part;    ///< that owns it
+    std::string_view name;    ///< e.g. "bias"
+    float fallback;           ///< what the part recommends
+    float least;              ///< the least value allowed
+    float most;               ///< the greatest value allowed
+    std::string_view meaning; ///< in a few words, with the unit
+    bool shared;              ///< by all parts of the effect that name it
 
     /// Whether `wanted` names it: `name` or `part.name`.
     constexpr bool is(std::string_view wanted) const {

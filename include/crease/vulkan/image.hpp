@@ -9,25 +9,29 @@ namespace crease::vulkan {
 
 /// What an image is made as.
 struct image_description {
-    std::string name; ///< in errors
-    format texels = format::none;
-    std::uint32_t width = 0, height = 0; ///< texels
-    std::uint32_t layers = 1, samples = 1;
-    bool arrayed = false; ///< seen as an array, also where it has one layer
-    bool centred = false; ///< all samples of a texel lie at its centre
-    VkImageUsageFlags usage = 0;
+    std::string name;             ///< in errors
+    format texels = format::none; ///< the format
+    std::uint32_t width = 0;      ///< texels
+    std::uint32_t height = 0;     ///< texels
+    std::uint32_t layers = 1;     ///< array layers
+    std::uint32_t samples = 1;    ///< samples of a texel
+    bool arrayed = false;         ///< seen as an array, also where it has one layer
+    bool centred = false;         ///< all samples of a texel lie at its centre
+    VkImageUsageFlags usage = 0;  ///< what it may be used for
 };
 
 /// One way in which commands use an image.
 struct image_use {
-    VkPipelineStageFlags stages = VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT;
-    VkAccessFlags access = 0;
-    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
-    bool writes = false;
+    VkPipelineStageFlags stages = VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT; ///< that use it
+    VkAccessFlags access = 0;                                        ///< by them
+    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;                ///< it must be in
+    bool writes = false;                                             ///< whether they write it
 };
 
+/// The source of a copy.
 inline constexpr image_use copied_from{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_READ_BIT,
                                        VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, false};
+/// The destination of a copy.
 inline constexpr image_use copied_to{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT,
                                      VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, true};
 
@@ -66,15 +70,19 @@ public:
     image(const image&) = delete;
     image& operator=(const image&) = delete;
 
+    /// What it was made as.
     const image_description& description() const { return description_; }
+    /// The image itself.
     VkImage handle() const { return handle_; }
     /// Null where the image is only copied.
     VkImageView view() const { return view_; }
 
+    /// Depth or colour, by its format.
     VkImageAspectFlags aspect() const {
         return description_.texels == format::d32_float ? VK_IMAGE_ASPECT_DEPTH_BIT
                                                         : VK_IMAGE_ASPECT_COLOR_BIT;
     }
+    /// All of it.
     VkImageSubresourceRange range() const { return {aspect(), 0, 1, 0, description_.layers}; }
 
     /// Whether any command has used it.

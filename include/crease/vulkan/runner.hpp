@@ -15,6 +15,7 @@
 
 namespace crease::vulkan {
 
+/// How an effect is run.
 struct runner_options {
     unsigned guard =
         0; ///< width of the guard band around the picture, texels: of depth, normals and captured layers
@@ -24,7 +25,7 @@ struct runner_options {
 
 /// How long a pass took on the device.
 struct pass_time {
-    std::string pass;
+    std::string pass;        ///< its name
     double milliseconds = 0; ///< with the barriers before it; NaN where the device has no timestamps
 };
 
@@ -72,9 +73,11 @@ public:
     void upload(std::string_view name, std::span<const float> numbers) {
         vulkan::upload(device_, own_input(name), numbers);
     }
+    /// The same for whole numbers: of r32_uint.
     void upload(std::string_view name, std::span<const std::uint32_t> numbers) {
         vulkan::upload(device_, own_input(name), numbers);
     }
+    /// The same for the bytes of texels of any format.
     void upload(std::string_view name, std::span<const std::byte> bytes) {
         vulkan::upload(device_, own_input(name), bytes);
     }

@@ -1,4 +1,4 @@
-// directions:8x4x2/single_layer/hbao_plus/upsample:2/bilateral:4, pass bilateral_x; crease 0.1.0, SPDX-License-Identifier: MIT-0
+// directions:8x4x2/single_layer/hbao_plus/upsample:2/bilateral:4, pass bilateral_x; crease 0.2.0, SPDX-License-Identifier: MIT-0
 #version 450
 layout(local_size_x = 16, local_size_y = 16, local_size_x_id = 0, local_size_y_id = 1) in;
 layout(constant_id = 2) const int crease_bilateral_radius = 4;

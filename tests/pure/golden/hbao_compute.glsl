@@ -1,4 +1,4 @@
-// directions:8x4x2/single_layer/hbao, pass visibility; crease 0.1.0, SPDX-License-Identifier: MIT-0
+// directions:8x4x2/single_layer/hbao, pass visibility; crease 0.2.0, SPDX-License-Identifier: MIT-0
 #version 450
 #extension GL_EXT_control_flow_attributes : enable
 #define crease_unroll [[unroll]]

@@ -1,4 +1,4 @@
-// poisson_disk:16/single_layer/hbao_plus/linear_depth/functions:1x4x10, pass visibility; crease 0.1.0, SPDX-License-Identifier: MIT-0
+// poisson_disk:16/single_layer/hbao_plus/linear_depth/functions:1x4x10, pass visibility; crease 0.2.0, SPDX-License-Identifier: MIT-0
 #define crease_unroll
 layout(constant_id = 10) const int crease_poisson_disk_count = 16;
 const int crease_divisor = 1;

@@ -1,4 +1,4 @@
-// hemisphere_points:16/single_layer/ssao/orthographic/reconstructed_normals/fragment/opengl, pass visibility; crease 0.1.0, SPDX-License-Identifier: MIT-0
+// hemisphere_points:16/single_layer/ssao/orthographic/reconstructed_normals/fragment/opengl, pass visibility; crease 0.2.0, SPDX-License-Identifier: MIT-0
 #version 430
 #define crease_unroll
 const int crease_hemisphere_points_count = 16;
