@@ -5,6 +5,7 @@
 #include <crease/effect/array_view.hpp>
 #include <crease/effect/extent.hpp>
 
+#include <cstdint>
 #include <string_view>
 
 namespace crease {
@@ -72,8 +73,11 @@ struct pass {
     array_view<const constant>
         constants; ///< of a compute pass the first two are the workgroup's width and height
     extent size;   ///< of the outputs; one of a mip level that the image has not is left out
-    dispatch covers = dispatch::texels; ///< of a compute pass, which workgroups run
-    unsigned view = 0;                  ///< index of the camera whose picture it makes
+    dispatch covers = dispatch::texels;      ///< of a compute pass, which workgroups run
+    unsigned view = 0;                       ///< index of the camera whose picture it makes
+    array_view<const std::uint32_t> spirv{}; ///< words made beforehand, as by `crease_add_shader`, in place
+                                             ///< of the pieces; empty: compile those
+    array_view<const std::uint32_t> vertex_spirv{}; ///< the same of a fragment pass's vertex shader
 
     /// Width of the workgroup in invocations; 0 where the pass is not compute.
     constexpr unsigned group_width() const {
