@@ -36,13 +36,17 @@ struct mesh {
 ///         `name` is what the message calls it
 void check_mesh(const mesh& scene, std::string_view name);
 
-/// Reads .glb, .gltf (2.0) or .obj: all meshes of the scene, node transforms applied, polygons triangulated;
-/// points, lines, triangles without area, materials and animations are left out.
+/// Adds a triangle of three of the positions that a mesh has; one without area is left out.
+/// @throws scene_error, without the name of a file, where the mesh becomes too large
+void add_triangle(mesh& to, std::uint32_t a, std::uint32_t b, std::uint32_t c);
+
+/// Reads .glb, .gltf (2.0) or .obj, as `read_gltf` and `read_obj` say, and in a time and memory that do not
+/// depend on what a broken file declares. Triangles without area are left out.
 /// @throws scene_error; file_error
 mesh load_mesh(const std::filesystem::path& path);
 
 /// As `load_mesh`, from memory and of one self-contained file.
-/// @param extension "glb", "gltf" or "obj"
+/// @param extension "glb", "gltf" or "obj", in any case
 /// @param name      what an error calls it
 /// @throws scene_error
 mesh parse_mesh(std::string_view bytes, std::string_view extension, std::string_view name);

@@ -50,6 +50,7 @@ public:
             if (map.is_used[i])
                 resources_.add(describe(planned.resources[i]));
         settings_ = planned.settings;
+        recipe_ = planned.recipe;
         views_ = planned.views;
         features_ = required_features(planned);
         defaults_ = default_parameters(settings_);
@@ -64,7 +65,9 @@ public:
     std::string_view error() const { return error_.view(); }
 
     /// The effect as data, of which this holds the text and the lists.
-    effect_view view() const& { return {passes_, resources_, settings_, views_, features_, defaults_}; }
+    effect_view view() const& {
+        return {passes_, resources_, settings_, views_, features_, defaults_, recipe_.view()};
+    }
     /// The same, without a word: an effect is passed where its data is asked for.
     operator effect_view() const& { return view(); }
     effect_view view() const&& = delete; // it would view what is gone
@@ -110,6 +113,7 @@ private:
     unsigned views_ = 1;
     device_features features_;
     parameters defaults_;
+    fixed_text<512> recipe_;
     fixed_text<512> error_;
 };
 

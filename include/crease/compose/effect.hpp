@@ -150,6 +150,10 @@ using all_of = whole<Effect, std::make_index_sequence<planned<Effect>.passes.siz
 template <class Effect>
 inline constexpr auto settings = shrink<planned<Effect>.settings.size()>(planned<Effect>.settings);
 
+// A copy of its own, as naming the plan would keep all that the parts describe.
+template <class Effect>
+inline constexpr auto recipe_name = recipe_text(Effect::choices);
+
 /// A text as a template argument.
 template <std::size_t Size>
 struct name {
@@ -230,7 +234,13 @@ struct effect {
 
     /// The effect as data, for a renderer.
     static constexpr effect_view view() {
-        return {passes, resources, settings, composing::planned<effect>.views, features, defaults};
+        return {passes,
+                resources,
+                settings,
+                composing::planned<effect>.views,
+                features,
+                defaults,
+                composing::recipe_name<effect>.view()};
     }
     /// The same, without a word: an effect is passed where its data is asked for.
     constexpr operator effect_view() const { return view(); }

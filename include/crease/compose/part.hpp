@@ -103,6 +103,13 @@ struct shape_of {
                 return true;
         return false;
     }
+    /// Whether any part of the effect needs a trait of another.
+    constexpr bool needs(const trait* wanted) const {
+        for (const choice& c : parts)
+            if (has(c.what->needs, wanted))
+                return true;
+        return false;
+    }
 };
 
 /// A type that names a part: it has `description`, `numbers` where the part takes any, and `needs` (a

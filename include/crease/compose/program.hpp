@@ -42,8 +42,7 @@ constexpr file_list files_of(const plan& p, const planned_pass& pass) {
         break;
     }
     for (const choice& c : p.parts)
-        if (c.what->kind != role::filter &&
-            (c.what->kind != role::stage || pass.what->kind == step_kind::result))
+        if (c.what->kind != role::stage || pass.what->kind == step_kind::result)
             for (const glsl_file* file : c.what->files)
                 files.add(file);
     for (const glsl_file* file : core_files)
@@ -129,12 +128,18 @@ private:
     constexpr void bind(std::string_view name, std::size_t resource, access how) {
         out_.bindings.add({.name = name, .resource = static_cast<unsigned>(resource), .how = how});
     }
+    constexpr void bind_level(std::string_view name, std::size_t resource, access how, unsigned level) {
+        bind(name, resource, how);
+        if (plan_.resources[resource].levels > 1)
+            out_.bindings[out_.bindings.size() - 1].level = level;
+    }
 
     constexpr access read_access(const resource& r) const {
         if (r.kind == resource_kind::buffer)
             return access::load;
         const bool loads = has(plan_.chosen(role::image_reads).what->offers, &image_loads::value);
-        return r.read == access::load && loads ? access::load : access::sample;
+        // A storage image shows one level.
+        return r.read == access::load && loads && r.levels == 1 ? access::load : access::sample;
     }
 
     constexpr bool uses_block() const {
@@ -157,7 +162,8 @@ private:
             const bool has_copies = !r.further_names.empty();
             const std::size_t own = has_copies ? i + pass_.view : i;
             if (!is_output(own) && r.life != lifetime::output &&
-                (uses(r.name) || uses("load_", r.name) || uses("size_of_", r.name)))
+                (uses(r.name) || uses("load_", r.name) || uses("size_of_", r.name) ||
+                 uses("levels_of_", r.name)))
                 bind(r.name, own, read_access(r));
             if (has_copies)
                 i += plan_.views - 1;
@@ -165,11 +171,13 @@ private:
         if (pass_.input >= 0) {
             const auto input = static_cast<std::size_t>(pass_.input);
             bind("input", input, read_access(plan_.resources[input]));
+        } else if (pass_.what->further_levels && pass_.size.level > 0) {
+            bind_level("input", pass_.outputs[0], access::sample, pass_.size.level - 1);
         }
         for (std::size_t i = 0; i < pass_.outputs.size(); ++i) {
             const unsigned at = pass_.outputs[i];
             if (!is_result_)
-                bind(pass_.what->writes[i], at, pass_.what->how);
+                bind_level(pass_.what->writes[i], at, pass_.what->how, pass_.size.level);
             else
                 bind(i == 0 ? std::string_view("output") : plan_.resources[at].name, at,
                      pass_.stage == stage_kind::compute    ? access::store
@@ -358,16 +366,26 @@ private:
         for (const binding& b : out_.bindings) {
             const resource& r = plan_.resources[b.resource];
             const bool is_image = b.how != access::sample;
+            const bool has_levels = r.levels > 1 && b.level == binding::all_levels;
             const char* texel = r.arrayed ? "ivec3" : "ivec2";
             if (uses("load_", b.name))
                 text << "\n"
-                     << prefix_of(r) << "vec4 crease_load_" << b.name << "(" << texel << " texel) { return "
+                     << prefix_of(r) << "vec4 crease_load_" << b.name << "(" << texel
+                     << (has_levels ? " texel, int level) { return " : " texel) { return ")
                      << (is_image ? "imageLoad(crease_" : "texelFetch(crease_") << b.name
-                     << (is_image ? ", texel); }\n" : ", texel, 0); }\n");
+                     << (is_image     ? ", texel); }\n"
+                         : has_levels ? ", texel, level); }\n"
+                                      : ", texel, 0); }\n");
             if (uses("size_of_", b.name))
-                text << "\nivec2 crease_size_of_" << b.name << "() { return "
+                text << "\nivec2 crease_size_of_" << b.name
+                     << (has_levels ? "(int level) { return " : "() { return ")
                      << (is_image ? "imageSize(crease_" : "textureSize(crease_") << b.name
-                     << (is_image ? ").xy; }\n" : ", 0).xy; }\n");
+                     << (is_image     ? ").xy; }\n"
+                         : has_levels ? ", level).xy; }\n"
+                                      : ", 0).xy; }\n");
+            if (uses("levels_of_", b.name))
+                text << "\nint crease_levels_of_" << b.name << "() { return textureQueryLevels(crease_"
+                     << b.name << "); }\n";
         }
     }
 

@@ -16,7 +16,9 @@ struct effect_view {
     array_view<const effect_setting> settings; ///< in the order of the block of parameters
     unsigned views = 1;                        ///< cameras, that of the picture included
     device_features features;                  ///< that the device must have
-    parameters defaults; ///< the settings as the parts recommend them; no view in it yet
+    parameters defaults;       ///< the settings as the parts recommend them; no view in it yet
+    std::string_view recipe{}; ///< what it was composed of, with all numbers: with the version of crease it
+                               ///< says each word of the text
 
     /// Bytes of the block of parameters.
     constexpr std::size_t block_size() const { return crease::block_size(views, settings.size()); }

@@ -82,13 +82,32 @@ constexpr float get(const parameters& p, array_view<const effect_setting> settin
     return 0;
 }
 
+/// The parameters with each part's recommended settings, and no view yet.
+constexpr parameters default_parameters(array_view<const effect_setting> settings) {
+    parameters p;
+    for (std::size_t i = 0; i < settings.size(); ++i)
+        p.settings[i] = settings[i].fallback;
+    return p;
+}
+
+/// Where in the uniform block the radius lies, in bytes; the frame and then the settings follow, 4 bytes
+/// each.
+/// @param views  cameras, that of the picture included, > 0
+constexpr std::size_t radius_offset(std::size_t views) {
+    return views * sizeof(view_parameters) + (views - 1) * sizeof(further_view::from_first);
+}
+
+/// Where in the uniform block a setting lies, in bytes.
+/// @param index  of `effect_view::settings`
+constexpr std::size_t setting_offset(std::size_t views, std::size_t index) {
+    return radius_offset(views) + 8 + index * sizeof(float);
+}
+
 /// Bytes of the uniform block, std140: the cameras, the matrices of those beside the picture's, the radius,
 /// the frame and the settings; a multiple of 16.
 /// @param views  cameras, that of the picture included, > 0
 constexpr std::size_t block_size(std::size_t views, std::size_t settings) {
-    const std::size_t bytes = views * sizeof(view_parameters) +
-                              (views - 1) * sizeof(further_view::from_first) + 8 + settings * sizeof(float);
-    return (bytes + 15) / 16 * 16;
+    return (setting_offset(views, settings) + 15) / 16 * 16;
 }
 
 /// Writes the uniform block.

@@ -5,6 +5,7 @@
 #include <crease/effect/array_view.hpp>
 #include <crease/effect/extent.hpp>
 
+#include <cstdint>
 #include <string_view>
 
 namespace crease {
@@ -32,12 +33,15 @@ enum class dispatch : unsigned char {
 
 /// One resource that a pass uses, and where it is bound.
 struct binding {
+    static constexpr unsigned all_levels = ~0u;
+
     std::string_view name; ///< "parameters", "input", "output" or the resource's; in GLSL crease_<name>
     unsigned resource = 0; ///< index into the effect's resources
     access how = access::uniform; ///< what the pass does with it
     unsigned set = 0;             ///< Vulkan descriptor set; 0 in OpenGL
     unsigned slot = 0; ///< Vulkan binding; in OpenGL the unit, counted for each of blocks, textures, images
                        ///< and buffers
+    unsigned level = all_levels; ///< of an image with mip levels: the one that is bound
 };
 
 /// A number of a part: a specialization constant in Vulkan GLSL, a `const int` in OpenGL GLSL.
@@ -68,9 +72,12 @@ struct pass {
     array_view<const binding> bindings; ///< the block of parameters first, where it is used; outputs last
     array_view<const constant>
         constants; ///< of a compute pass the first two are the workgroup's width and height
-    extent size;   ///< of the outputs
-    dispatch covers = dispatch::texels; ///< of a compute pass, which workgroups run
-    unsigned view = 0;                  ///< index of the camera whose picture it makes
+    extent size;   ///< of the outputs; one of a mip level that the image has not is left out
+    dispatch covers = dispatch::texels;      ///< of a compute pass, which workgroups run
+    unsigned view = 0;                       ///< index of the camera whose picture it makes
+    array_view<const std::uint32_t> spirv{}; ///< words made beforehand, as by `crease_add_shader`, in place
+                                             ///< of the pieces; empty: compile those
+    array_view<const std::uint32_t> vertex_spirv{}; ///< the same of a fragment pass's vertex shader
 
     /// Width of the workgroup in invocations; 0 where the pass is not compute.
     constexpr unsigned group_width() const {

@@ -42,9 +42,10 @@ struct resource {
     lifetime life = lifetime::input; ///< who fills it, and for how long
     extent size{};                   ///< of an image; of a buffer so many elements, times `layers`
     unsigned layers = 1;             ///< of an array image; of a buffer elements for each texel
-    unsigned samples = 1;            ///< of a multisampled image
-    bool arrayed = false;            ///< an array image, also where it has one layer
-    bool centred = false;            ///< all samples of a texel lie at its centre
+    unsigned levels = 1; ///< of an image: mip levels, fewer where its size has no more; 16: down to one texel
+    unsigned samples = 1;                               ///< of a multisampled image
+    bool arrayed = false;                               ///< an array image, also where it has one layer
+    bool centred = false;                               ///< all samples of a texel lie at its centre
     array_view<const std::string_view> further_names{}; ///< where each camera has its own, of the size of its
                                                         ///< picture: names of those beside the picture's
     access read = access::sample;   ///< how passes read it: by a sampler, or texel by texel (load)
@@ -54,7 +55,7 @@ struct resource {
     std::uint32_t clear = 0;        ///< bits of each component
     void (*fill)(array_view<std::uint32_t> texels) = nullptr; ///< of a constant: its texels, row after row
     void (*shape)(resource& own, const shape_of& effect) =
-        nullptr; ///< in a part's description: sets size, layers, samples, format or fill from numbers
+        nullptr; ///< in a part's description: sets size, layers, levels, samples, format or fill from numbers
 };
 
 }

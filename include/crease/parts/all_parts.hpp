@@ -10,6 +10,7 @@
 #include <crease/parts/coverage/isotropic_threshold.hpp>
 #include <crease/parts/coverage/simple_hash.hpp>
 #include <crease/parts/coverage/stratified.hpp>
+#include <crease/parts/depth/depth_pyramid.hpp>
 #include <crease/parts/depth/mip_chain.hpp>
 #include <crease/parts/depth/n_buffer.hpp>
 #include <crease/parts/depth/single_layer.hpp>
@@ -19,6 +20,7 @@
 #include <crease/parts/depth/summed_area_uniform.hpp>
 #include <crease/parts/dialect/opengl.hpp>
 #include <crease/parts/dialect/vulkan.hpp>
+#include <crease/parts/estimator/cosine_bitmask.hpp>
 #include <crease/parts/estimator/hbao.hpp>
 #include <crease/parts/estimator/hbao_plus.hpp>
 #include <crease/parts/estimator/line_volume.hpp>
@@ -27,8 +29,13 @@
 #include <crease/parts/estimator/ssao.hpp>
 #include <crease/parts/estimator/unsharp_mask.hpp>
 #include <crease/parts/filter/bilateral.hpp>
+#include <crease/parts/filter/plane_filter.hpp>
+#include <crease/parts/filter/separable_plane_filter.hpp>
 #include <crease/parts/filter/upsample.hpp>
+#include <crease/parts/noise/blue_noise.hpp>
 #include <crease/parts/noise/hashed_noise.hpp>
+#include <crease/parts/noise/hilbert_noise.hpp>
+#include <crease/parts/noise/interleaved_gradient_noise.hpp>
 #include <crease/parts/noise/tiled_noise.hpp>
 #include <crease/parts/output/bent_cone.hpp>
 #include <crease/parts/output/packed_bent_cone.hpp>
@@ -43,6 +50,7 @@
 #include <crease/parts/sampler/box_area.hpp>
 #include <crease/parts/sampler/box_window.hpp>
 #include <crease/parts/sampler/directions.hpp>
+#include <crease/parts/sampler/half_directions.hpp>
 #include <crease/parts/sampler/hemisphere_lines.hpp>
 #include <crease/parts/sampler/hemisphere_points.hpp>
 #include <crease/parts/sampler/poisson_disk.hpp>
@@ -76,6 +84,7 @@ namespace crease {
 /// Every part of crease, for recipes and lists.
 inline constexpr const part* all_parts[] = {
     &directions_part::description,
+    &half_directions_part::description,
     &hemisphere_points_part::description,
     &poisson_disk_part::description,
     &sphere_points_part::description,
@@ -91,8 +100,10 @@ inline constexpr const part* all_parts[] = {
     &summed_area_adaptive_part::description,
     &n_buffer_part::description,
     &mip_chain_part::description,
+    &depth_pyramid_part::description,
     &hbao::description,
     &hbao_plus::description,
+    &cosine_bitmask_part::description,
     &mean_height_part::description,
     &ssao::description,
     &point_volume::description,
@@ -121,6 +132,8 @@ inline constexpr const part* all_parts[] = {
     &rgba8::description,
     &r32f::description,
     &bilateral_part::description,
+    &plane_filter_part::description,
+    &separable_plane_filter_part::description,
     &upsample_part::description,
     &perspective::description,
     &orthographic::description,
@@ -131,6 +144,9 @@ inline constexpr const part* all_parts[] = {
     &reconstructed_normals::description,
     &hashed_noise::description,
     &tiled_noise_part::description,
+    &interleaved_gradient_noise::description,
+    &hilbert_noise::description,
+    &blue_noise::description,
     &first_surface::description,
     &texel_fetch::description,
     &image_load::description,

@@ -58,3 +58,16 @@ private:
 };
 
 }
+
+namespace crease::vulkan::detail {
+
+/// Records that all memory which `from` wrote by `written` is seen by `to` that touch it by `next`.
+inline void memory_barrier(VkCommandBuffer commands, VkPipelineStageFlags from, VkAccessFlags written,
+                           VkPipelineStageFlags to, VkAccessFlags next) {
+    auto barrier = blank<VkMemoryBarrier>(VK_STRUCTURE_TYPE_MEMORY_BARRIER);
+    barrier.srcAccessMask = written;
+    barrier.dstAccessMask = next;
+    vkCmdPipelineBarrier(commands, from, to, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+}
+
+}

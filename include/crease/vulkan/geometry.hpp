@@ -32,12 +32,14 @@ public:
     /// @param attachment  what the pass draws to; null where it has no attachment
     /// @param size        of what it fills, texels
     /// @param values      of the pass's constants, in their order
+    /// @param ways        round in which histories can lie
     /// @throws error         where the device lacks a limit or memory
     /// @throws spirv::error  where the host's shaders with the pass's functions do not compile
     prepared_geometry(device& on, const pass& of, std::span<const resource> resources, image* attachment,
-                      VkExtent2D size, const geometry_shaders& host, std::span<const std::int32_t> values)
+                      VkExtent2D size, const geometry_shaders& host, std::span<const std::int32_t> values,
+                      std::size_t ways)
         : pass_(of), push_bytes_(host.push_constant_bytes), clear_depth_(host.reversed_depth ? 0.0f : 1.0f),
-          descriptors_(on, of.bindings, resources, VK_SHADER_STAGE_FRAGMENT_BIT, push_bytes_,
+          descriptors_(on, of.bindings, resources, VK_SHADER_STAGE_FRAGMENT_BIT, ways, push_bytes_,
                        geometry_stages) {
         expect_push_size(on, push_bytes_);
         target_ = std::make_unique<render_target>(on, std::vector<image*>(), attachment, size,
@@ -53,14 +55,14 @@ public:
         pushed_.assign(push_constants.begin(), push_constants.end());
     }
 
-    void write_descriptors(const bound_resources& bound, VkSampler sampler) const {
-        descriptors_.write(bound, sampler);
+    void write_descriptors(const bound_resources& bound, VkSampler sampler, std::size_t way) const {
+        descriptors_.write(bound, sampler, way);
     }
 
-    void record(VkCommandBuffer commands, const bound_resources& bound) const {
+    void record(VkCommandBuffer commands, const bound_resources& bound, std::size_t way) const {
         prepare_for(commands, pass_.bindings, bound, VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT);
         target_->begin(commands, clear_depth_);
-        descriptors_.bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS);
+        descriptors_.bind(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, way);
         draw_mesh(commands, pipeline_, descriptors_.layout(), *triangles_, pushed_);
         target_->end(commands);
     }

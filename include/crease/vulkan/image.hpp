@@ -5,6 +5,10 @@
 #include <crease/vulkan/sample_locations.hpp>
 #include <crease/vulkan/texels.hpp>
 
+#include <algorithm>
+#include <bit>
+#include <vector>
+
 namespace crease::vulkan {
 
 /// What an image is made as.
@@ -15,6 +19,7 @@ struct image_description {
     std::uint32_t height = 0;     ///< texels
     std::uint32_t layers = 1;     ///< array layers
     std::uint32_t samples = 1;    ///< samples of a texel
+    std::uint32_t levels = 1;     ///< mip levels, fewer where the size has no more
     bool arrayed = false;         ///< seen as an array, also where it has one layer
     bool centred = false;         ///< all samples of a texel lie at its centre
     VkImageUsageFlags usage = 0;  ///< what it may be used for
@@ -35,12 +40,16 @@ inline constexpr image_use copied_from{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS
 inline constexpr image_use copied_to{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT,
                                      VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, true};
 
-/// An image of the device with one mip level, its view, and the record of its last use, from which barriers
+/// An image of the device, its views, and the record of the last use of each mip level, from which barriers
 /// follow.
 class image {
 public:
     /// @throws error  where a size is 0, or the device has no such images, or not enough memory
     image(const device& on, const image_description& description) : description_(description) {
+        const std::uint32_t longest = std::max(description.width, description.height);
+        description_.levels =
+            std::clamp(description.levels, 1u, static_cast<std::uint32_t>(std::bit_width(longest | 1)));
+        last_.resize(description_.levels);
         const detail::texel_type texel = detail::texel_of(description.texels);
         const std::string what = "the image '" + description.name + "' of " +
                                  std::to_string(description.width) + " x " +
@@ -51,7 +60,7 @@ public:
         info.imageType = VK_IMAGE_TYPE_2D;
         info.format = texel.format;
         info.extent = {description.width, description.height, 1};
-        info.mipLevels = 1;
+        info.mipLevels = description_.levels;
         info.arrayLayers = description.layers;
         info.samples = static_cast<VkSampleCountFlagBits>(description.samples);
         info.tiling = VK_IMAGE_TILING_OPTIMAL;
@@ -64,8 +73,11 @@ public:
         vkGetImageMemoryRequirements(on.handle(), handle_, &needs);
         memory_ = detail::allocate(on, needs, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, what);
         detail::check(vkBindImageMemory(on.handle(), handle_, memory_, 0), "bind " + what);
-        if (description.usage & viewable)
-            make_view(on, what);
+        if (!(description.usage & viewable))
+            return;
+        view_ = make_view(on, range(), what);
+        for (std::uint32_t level = 0; levels() > 1 && level < levels(); ++level)
+            level_views_.push_back(make_view(on, range(level), what));
     }
     image(const image&) = delete;
     image& operator=(const image&) = delete;
@@ -74,42 +86,57 @@ public:
     const image_description& description() const { return description_; }
     /// The image itself.
     VkImage handle() const { return handle_; }
-    /// Null where the image is only copied.
+    std::uint32_t levels() const { return description_.levels; }
+    /// Of all levels; null where the image is only copied.
     VkImageView view() const { return view_; }
+    /// Of one level.
+    VkImageView view(std::uint32_t level) const {
+        return level_views_.empty() ? view() : static_cast<VkImageView>(level_views_[level]);
+    }
 
     /// Depth or colour, by its format.
     VkImageAspectFlags aspect() const {
         return description_.texels == format::d32_float ? VK_IMAGE_ASPECT_DEPTH_BIT
                                                         : VK_IMAGE_ASPECT_COLOR_BIT;
     }
-    /// All of it.
-    VkImageSubresourceRange range() const { return {aspect(), 0, 1, 0, description_.layers}; }
+    /// Of all levels.
+    VkImageSubresourceRange range() const { return {aspect(), 0, levels(), 0, description_.layers}; }
+    VkImageSubresourceRange range(std::uint32_t level) const {
+        return {aspect(), level, 1, 0, description_.layers};
+    }
 
     /// Whether any command has used it.
-    bool is_used() const { return last_.layout != VK_IMAGE_LAYOUT_UNDEFINED; }
+    bool is_used() const { return last_[0].layout != VK_IMAGE_LAYOUT_UNDEFINED; }
 
-    /// Records the barrier that the next use needs after the last one.
+    /// Records the barriers that the next use of all levels needs after the last one.
     void transition(VkCommandBuffer commands, const image_use& next) {
-        const bool both_read = !last_.writes && !next.writes && last_.layout == next.layout;
-        const bool ready = both_read && (last_.stages & next.stages) == next.stages;
+        for (std::uint32_t level = 0; level < levels(); ++level)
+            transition(commands, next, level);
+    }
+
+    /// The same of one level.
+    void transition(VkCommandBuffer commands, const image_use& next, std::uint32_t level) {
+        image_use& last = last_[level];
+        const bool both_read = !last.writes && !next.writes && last.layout == next.layout;
+        const bool ready = both_read && (last.stages & next.stages) == next.stages;
         if (ready)
             return;
         auto barrier = detail::blank<VkImageMemoryBarrier>(VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER);
-        barrier.srcAccessMask = last_.writes ? last_.access : 0;
+        barrier.srcAccessMask = last.writes ? last.access : 0;
         barrier.dstAccessMask = next.access;
-        barrier.oldLayout = last_.layout;
+        barrier.oldLayout = last.layout;
         barrier.newLayout = next.layout;
         barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
         barrier.image = handle_;
-        barrier.subresourceRange = range();
+        barrier.subresourceRange = range(level);
         const VkSampleLocationsInfoEXT centres = detail::at_the_centre(description_.samples);
         if (description_.centred)
             barrier.pNext = &centres;
-        vkCmdPipelineBarrier(commands, last_.stages, next.stages, 0, 0, nullptr, 0, nullptr, 1, &barrier);
+        vkCmdPipelineBarrier(commands, last.stages, next.stages, 0, 0, nullptr, 0, nullptr, 1, &barrier);
         const VkPipelineStageFlags readers =
-            both_read ? last_.stages : 0; // a later write waits for all of them
-        last_ = next;
-        last_.stages |= readers;
+            both_read ? last.stages : 0; // a later write waits for all of them
+        last = next;
+        last.stages |= readers;
     }
 
 private:
@@ -117,20 +144,22 @@ private:
     detail::owned_memory memory_;
     detail::owned_image handle_;
     detail::owned_image_view view_;
-    image_use last_;
+    std::vector<detail::owned_image_view> level_views_; ///< where there are several
+    std::vector<image_use> last_;                       ///< by level
 
     static constexpr VkImageUsageFlags viewable = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
                                                   VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
                                                   VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
 
-    void make_view(const device& on, const std::string& what) {
+    detail::owned_image_view make_view(const device& on, const VkImageSubresourceRange& seen,
+                                       const std::string& what) const {
         auto view = detail::blank<VkImageViewCreateInfo>(VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO);
         view.image = handle_;
         view.viewType = description_.arrayed ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
         view.format = detail::texel_of(description_.texels).format;
-        view.subresourceRange = range();
-        view_ =
-            detail::make<detail::owned_image_view>(on.handle(), vkCreateImageView, view, "a view of " + what);
+        view.subresourceRange = seen;
+        return detail::make<detail::owned_image_view>(on.handle(), vkCreateImageView, view,
+                                                      "a view of " + what);
     }
 
     static void expect_supported(const device& on, const VkImageCreateInfo& info, const std::string& what) {
@@ -147,6 +176,9 @@ private:
         if (info.arrayLayers > most.maxArrayLayers)
             throw error(refusal + " with " + std::to_string(info.arrayLayers) + " layers: the most is " +
                         std::to_string(most.maxArrayLayers));
+        if (info.mipLevels > most.maxMipLevels)
+            throw error(refusal + " with " + std::to_string(info.mipLevels) + " levels: the most is " +
+                        std::to_string(most.maxMipLevels));
         if (!(info.samples & most.sampleCounts))
             throw error(refusal + " with " + std::to_string(info.samples) + " samples a texel");
     }

@@ -16,12 +16,13 @@ public:
     /// @param values  of the pass's constants, in their order
     /// @param outputs  the images that the pass writes
     /// @param size     of the outputs, texels
+    /// @param ways     round in which histories can lie
     prepared_pass(const device& on, const pass& of, std::span<const resource> resources,
                   const pass_shaders& shaders, std::span<const std::int32_t> values,
-                  const std::vector<image*>& outputs, VkExtent2D size)
+                  const std::vector<image*>& outputs, VkExtent2D size, std::size_t ways)
         : pass_(of), compute_(of.stage == stage_kind::compute),
           descriptors_(on, of.bindings, resources,
-                       compute_ ? VK_SHADER_STAGE_COMPUTE_BIT : VK_SHADER_STAGE_FRAGMENT_BIT) {
+                       compute_ ? VK_SHADER_STAGE_COMPUTE_BIT : VK_SHADER_STAGE_FRAGMENT_BIT, ways) {
         const specialization constants(of.constants, values);
         if (compute_) {
             plan_groups(on, values, size);
@@ -38,18 +39,18 @@ public:
 
     std::string name() const { return std::string(pass_.name); }
 
-    void write_descriptors(const bound_resources& bound, VkSampler sampler) const {
-        descriptors_.write(bound, sampler);
+    void write_descriptors(const bound_resources& bound, VkSampler sampler, std::size_t way) const {
+        descriptors_.write(bound, sampler, way);
     }
 
-    /// @param bound  as the descriptors were written
-    void record(VkCommandBuffer commands, const bound_resources& bound) const {
+    /// @param bound  as the descriptors of that way round were written
+    void record(VkCommandBuffer commands, const bound_resources& bound, std::size_t way) const {
         prepare_for(commands, pass_.bindings, bound,
                     compute_ ? VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT : VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT);
         const VkPipelineBindPoint point =
             compute_ ? VK_PIPELINE_BIND_POINT_COMPUTE : VK_PIPELINE_BIND_POINT_GRAPHICS;
         vkCmdBindPipeline(commands, point, pipeline_);
-        descriptors_.bind(commands, point);
+        descriptors_.bind(commands, point, way);
         if (compute_) {
             vkCmdDispatch(commands, groups_[0], groups_[1], 1);
         } else {

@@ -34,6 +34,7 @@ static_assert(block_size(1, 2) == 64);
 static_assert(block_size(1, 3) == 80);
 static_assert(block_size(2, 0) == 2 * bytes_of_view + bytes_of_matrix + 16);
 static_assert(block_size(4, 24) == 4 * bytes_of_view + 3 * bytes_of_matrix + 8 + 96 + 8);
+static_assert(radius_offset(1) == 48 && setting_offset(1, 0) == 56 && setting_offset(1, 3) == 68);
 
 template <class Value>
 Value at(const std::vector<std::byte>& bytes, std::size_t offset) {
@@ -114,6 +115,8 @@ TEST_CASE("the block of several cameras: their views, then the matrices of those
                       static_cast<float>(100 * i + k));
         }
         const std::size_t after = bytes_of_view * views + bytes_of_matrix * (views - 1);
+        CHECK(radius_offset(views) == after);
+        CHECK(setting_offset(views, most_settings - 1) == after + 8 + 4 * (most_settings - 1));
         CHECK(at<float>(bytes, after) == 7);
         CHECK(at<std::uint32_t>(bytes, after + 4) == 8);
         CHECK(at<float>(bytes, after + 8 + 4 * (most_settings - 1)) ==

@@ -150,7 +150,7 @@ struct crease_pattern {
     float offset;   // of the first radius
 };
 
-// Two numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
+// Three numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
 uvec3 crease_hashed_noise_mix(uvec3 v) {
     v = v * 1664525u + 1013904223u;
     v += v.yzx * v.zxy;
@@ -159,12 +159,12 @@ uvec3 crease_hashed_noise_mix(uvec3 v) {
     return v;
 }
 
-vec2 crease_noise(ivec2 pixel) {
-    return vec2(crease_hashed_noise_mix(uvec3(uvec2(pixel), crease_frame)).xy >> 8u) * (1.0 / 16777216.0);
+vec3 crease_noise(ivec2 pixel) {
+    return vec3(crease_hashed_noise_mix(uvec3(uvec2(pixel), crease_frame)) >> 8u) * (1.0 / 16777216.0);
 }
 
 crease_pattern crease_pattern_begin(crease_receiver receiver) {
-    vec2 noise = crease_noise(receiver.pixel);
+    vec2 noise = crease_noise(receiver.pixel).xy;
     float angle = 6.28318531 * noise.x;
     return crease_pattern(vec2(cos(angle), sin(angle)), noise.y);
 }
@@ -253,6 +253,11 @@ crease_layers crease_fetch_first_layers(vec2 texel) { return crease_fetch_layers
 
 crease_fetched crease_fetch(vec2 texel) { return crease_fetched(crease_fetch_first_layers(texel)); }
 
+// A source that holds several sizes of texels chooses among them here.
+crease_fetched crease_fetch_tap(crease_pattern pattern, crease_receiver receiver, int step, crease_tap tap) {
+    return crease_fetch(tap.texel);
+}
+
 struct crease_contribution {
     float occlusion;
     float highest;
@@ -302,7 +307,7 @@ void crease_gather_taps(inout crease_march march, inout crease_pattern pattern, 
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count) {
             taps[i] = crease_pattern_tap(pattern, receiver, first + i);
-            fetched[i] = crease_fetch(taps[i].texel);
+            fetched[i] = crease_fetch_tap(pattern, receiver, first + i, taps[i]);
         }
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count)
