@@ -3,6 +3,8 @@
 s|^( *)static constexpr part description|\1/// What the part says of itself.\n&|
 s|^( *)static constexpr number |\1/// The numbers that it takes: name, least, most, fallback, meaning.\n&|
 s|^( *)static constexpr setting |\1/// The settings that it reads: name, fallback, least, most, meaning.\n&|
+s|^( *)static constexpr void shape\(|\1/// Sets the shape of its resources by its numbers and by the other parts.\n&|
+s|^( *)static constexpr void fill\(|\1/// Fills its constant image.\n&|
 s|^( *)static constexpr resource |\1/// Images and buffers that it reads or fills.\n&|
 s|^( *)static constexpr step |\1/// Passes of its own.\n&|
 s|^( *)static constexpr step_constant |\1/// Constants of its steps.\n&|

@@ -12,11 +12,13 @@ int main() {
               "\n"
               "namespace crease {\n"
               "\n"
-              "/// A tile of blue noise by void-and-cluster, 64 texels to a side: the rank of each, row "
-              "after row,\n"
-              "/// in two characters of 64 each, the digits '#' to 'd' without the question mark and the\n"
-              "/// backslash. Written by crease_blue_noise_tile.\n"
+              "/// Texels to a side of the tile of blue noise.\n"
               "inline constexpr unsigned blue_noise_side = 64;\n"
+              "\n"
+              "/// A tile of blue noise by void-and-cluster: the rank of each texel, row after row, in two "
+              "characters of 64\n"
+              "/// each, the digits '#' to 'd' without the question mark and the backslash. Written by\n"
+              "/// crease_blue_noise_tile.\n"
               "// clang-format off\n"
               "inline constexpr char blue_noise_ranks[] =");
     const auto character = [](unsigned digit) {

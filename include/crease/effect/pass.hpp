@@ -33,6 +33,7 @@ enum class dispatch : unsigned char {
 
 /// One resource that a pass uses, and where it is bound.
 struct binding {
+    /// The `level` of a binding of a whole image.
     static constexpr unsigned all_levels = ~0u;
 
     std::string_view name; ///< "parameters", "input", "output" or the resource's; in GLSL crease_<name>

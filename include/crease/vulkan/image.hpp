@@ -86,6 +86,7 @@ public:
     const image_description& description() const { return description_; }
     /// The image itself.
     VkImage handle() const { return handle_; }
+    /// Mip levels.
     std::uint32_t levels() const { return description_.levels; }
     /// Of all levels; null where the image is only copied.
     VkImageView view() const { return view_; }
@@ -101,6 +102,7 @@ public:
     }
     /// Of all levels.
     VkImageSubresourceRange range() const { return {aspect(), 0, levels(), 0, description_.layers}; }
+    /// Of one level.
     VkImageSubresourceRange range(std::uint32_t level) const {
         return {aspect(), level, 1, 0, description_.layers};
     }

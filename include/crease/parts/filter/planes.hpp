@@ -17,6 +17,7 @@ inline constexpr glsl_file plane_glsl{
 #include <crease/filter/plane.glsl>
 };
 
+/// How far the weights of tangent planes reach.
 constexpr setting plane_reach_setting{
     "plane_reach", 0.05f, 0, 10, "distance from a tangent plane at which a weight ends, in radii", true};
 

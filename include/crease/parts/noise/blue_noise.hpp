@@ -16,6 +16,7 @@ inline constexpr glsl_file blue_noise_glsl{
 /// Noise: a tile of blue noise, whose differences are all between pixels near each other, so that what a blur
 /// leaves is fine grain. The image `blue_noise`, 64 x 64 texels, is constant.
 struct blue_noise {
+    /// The value of a character of `blue_noise_ranks`, 0 to 63.
     static constexpr std::uint32_t digit(char c) {
         return static_cast<std::uint32_t>(c - '#' - (c > '?') - (c > '\\'));
     }

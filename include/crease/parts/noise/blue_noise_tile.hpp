@@ -3,10 +3,12 @@
 
 namespace crease {
 
-/// A tile of blue noise by void-and-cluster, 64 texels to a side: the rank of each, row after row,
-/// in two characters of 64 each, the digits '#' to 'd' without the question mark and the
-/// backslash. Written by crease_blue_noise_tile.
+/// Texels to a side of the tile of blue noise.
 inline constexpr unsigned blue_noise_side = 64;
+
+/// A tile of blue noise by void-and-cluster: the rank of each texel, row after row, in two characters of 64
+/// each, the digits '#' to 'd' without the question mark and the backslash. Written by
+/// crease_blue_noise_tile.
 // clang-format off
 inline constexpr char blue_noise_ranks[] =
     "-G:KI310]),F5:>PIJQd*9FaSQXA75,%bV400+YREb<633LY/W=:)L:,.[27Z*;&"
