@@ -28,4 +28,5 @@ write_basic_package_version_file(crease-config-version.cmake COMPATIBILITY SameM
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/crease-config.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/crease-config-version.cmake
               ${CMAKE_CURRENT_LIST_DIR}/crease_add_shader.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/crease_reserved_names.inc
         DESTINATION ${package_directory})
