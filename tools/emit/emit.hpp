@@ -17,14 +17,14 @@ namespace crease::tools {
 enum class emit_format { glsl, spirv, spirv_asm, header };
 
 struct emit_options {
-    std::string recipe;                  ///< see crease::recipe
-    std::optional<std::string> stage;    ///< "compute" or "fragment"; unset: as the recipe says
-    std::optional<std::string> dialect;  ///< "vulkan" or "opengl"; unset: as the recipe says
-    std::optional<std::string> shape;    ///< "program" or "functions"; unset: as the recipe says
-    std::set<emit_format> formats;       ///< none: GLSL
-    spirv_options spirv;                 ///< refused where no SPIR-V is made
-    std::string name = "crease_shaders"; ///< of the header, its namespace and the manifest; see expect_name
-    std::filesystem::path directory;     ///< made where it is missing
+    std::string recipe;                   ///< see crease::recipe
+    std::optional<std::string> stage{};   ///< "compute" or "fragment"; unset: as the recipe says
+    std::optional<std::string> dialect{}; ///< "vulkan" or "opengl"; unset: as the recipe says
+    std::optional<std::string> shape{};   ///< "program" or "functions"; unset: as the recipe says
+    std::set<emit_format> formats{};      ///< none: GLSL
+    spirv_options spirv{};                ///< refused where no SPIR-V is made
+    std::string name = "crease_shaders";  ///< of the header, its namespace and the manifest; see expect_name
+    std::filesystem::path directory;      ///< made where it is missing
 };
 
 /// The recipe with the stage, the dialect and the shape that the options add to it.
