@@ -8,14 +8,24 @@
 
 namespace crease::vulkan::detail {
 
+/// @throws error  where crease does not know its texels
 inline std::size_t bytes_in(const image& of) {
     const image_description& d = of.description();
+    if (d.texels == format::none)
+        throw error("the image '" + d.name + "' holds " + name_of(of.vulkan_format()) +
+                    ", which crease does not copy");
     return std::size_t{d.width} * d.height * d.layers * texel_of(d.texels).bytes;
+}
+
+/// @throws error  where the image was not made for it
+inline void expect_made_for(const image& of, VkImageUsageFlags wanted) {
+    if (!(of.description().usage & wanted))
+        throw error("the image '" + of.description().name + "' was not made for " + uses_of(wanted));
 }
 
 inline VkBufferImageCopy whole(const image& of) {
     VkBufferImageCopy region{};
-    region.imageSubresource = {of.aspect(), 0, 0, of.description().layers};
+    region.imageSubresource = {of.range().aspectMask, 0, 0, of.description().layers};
     region.imageExtent = {of.description().width, of.description().height, 1};
     return region;
 }
@@ -38,8 +48,9 @@ inline void expect_texels(const image& of, format wanted) {
 namespace crease::vulkan {
 
 /// Fills an image made for VK_IMAGE_USAGE_TRANSFER_DST: row after row, layer after layer, without gaps.
-/// @throws error  where the number of bytes is not the image's
+/// @throws error  where the number of bytes is not the image's, or it was not made for that
 inline void upload(device& on, image& to, std::span<const std::byte> bytes) {
+    detail::expect_made_for(to, VK_IMAGE_USAGE_TRANSFER_DST_BIT);
     detail::expect_count(to, detail::bytes_in(to), bytes.size(), "bytes");
     const buffer staging(on, bytes.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, transfer::to_device,
                          "upload of " + to.description().name);
@@ -66,7 +77,9 @@ inline void upload(device& on, image& to, std::span<const std::uint32_t> numbers
 }
 
 /// The bytes of an image made for VK_IMAGE_USAGE_TRANSFER_SRC, in the order in which upload() takes them.
+/// @throws error  where it was not made for that
 inline std::vector<std::byte> download_bytes(device& on, image& from) {
+    detail::expect_made_for(from, VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
     const buffer staging(on, detail::bytes_in(from), VK_BUFFER_USAGE_TRANSFER_DST_BIT, transfer::from_device,
                          "download of " + from.description().name);
     on.submit([&](VkCommandBuffer commands) {
