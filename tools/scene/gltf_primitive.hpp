@@ -18,7 +18,7 @@ struct gltf_primitive {
 
     gltf_value source; ///< what it was read from
     const gltf_accessor* positions = nullptr;
-    const gltf_accessor* indices = nullptr;    ///< null: the vertices in their order
+    const gltf_accessor* indices = nullptr;      ///< null: the vertices in their order
     std::vector<const gltf_accessor*> targets{}; ///< of morphing; null where one moves no position
     std::vector<influence> influences{};
     std::size_t triangles = 0; ///< 0 for points and lines
