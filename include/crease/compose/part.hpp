@@ -33,6 +33,7 @@ struct setting {
 /// Cameras that a part adds to that of the picture.
 struct view_request {
     unsigned count = 0;
+    int count_number = -1; ///< index of the part's number that says how many more; -1: none
     int divisor = -1; ///< index of the part's number that divides the resolution of their pictures; -1: none
 };
 
