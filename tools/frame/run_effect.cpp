@@ -56,24 +56,25 @@ void upload_inputs(vulkan::runner& runner, const effect_view& effect, const gbuf
     }
 }
 
-/// The second camera's place: that of the options, or beside the first and turned to the middle of what it
-/// sees.
-void place_second(parameters& how, const gbuffer& inputs, const frame_options& options) {
+/// The places of the further cameras: on both sides of the first, turned to the middle of what it sees, and
+/// half way there; of the second that of the options, if there is one.
+void place_further(parameters& how, const gbuffer& inputs, const frame_options& options) {
     const double unit = inputs.drawn.scale.unit;
+    std::vector<float> seen;
+    for (std::size_t i = 0; i < inputs.depth.texels.size(); ++i)
+        if (inputs.depth.texels[i] < inputs.from.far)
+            seen.push_back(static_cast<float>(inputs.depth.texels[i] / unit));
+    const float middle = seen.empty() ? 1 : median(seen);
+    place_further_camera(how.further_views[0], middle / 4, middle / 4, middle);
+    place_further_camera(how.further_views[1], -middle / 4, middle / 4, middle);
+    place_further_camera(how.further_views[2], 0, middle / 2, middle);
     if (options.second) {
         const glm::dmat3 rotation = view_rotation(*options.second);
         glm::dmat4 turn(rotation * glm::transpose(view_rotation(inputs.from)));
         turn[3] = glm::dvec4(rotation * ((inputs.from.eye - options.second->eye) / unit), 1);
         const glm::mat4 rounded(turn);
         std::copy_n(glm::value_ptr(rounded), 16, how.further_views[0].from_first);
-        return;
     }
-    std::vector<float> seen;
-    for (std::size_t i = 0; i < inputs.depth.texels.size(); ++i)
-        if (inputs.depth.texels[i] < inputs.from.far)
-            seen.push_back(static_cast<float>(inputs.depth.texels[i] / unit));
-    const float middle = seen.empty() ? 1 : median(seen);
-    place_second_camera(how, middle / 4, middle / 4, middle);
 }
 
 /// A recipe with one part more.
@@ -93,7 +94,7 @@ glm::vec3 of_octahedron(glm::vec2 point) {
     return glm::normalize(direction);
 }
 
-/// How the camera of a geometry pass draws: of the second at the size of what it fills.
+/// How the camera of a geometry pass draws: of a further one at the size of what it fills.
 transforms transforms_of(const pass& which, parameters& how, const gbuffer& inputs) {
     if (which.view == 0)
         return inputs.drawn.how;
@@ -109,9 +110,10 @@ transforms transforms_of(const pass& which, parameters& how, const gbuffer& inpu
         projection[column][0] *= guard_across;
         projection[column][1] *= guard_down;
     }
-    how.further_views[0].view = view_of(projection, width, height);
+    further_view& further = how.further_views[which.view - 1];
+    further.view = view_of(projection, width, height);
     glm::mat4 turn;
-    std::copy_n(how.further_views[0].from_first, 16, glm::value_ptr(turn));
+    std::copy_n(further.from_first, 16, glm::value_ptr(turn));
     return {turn * inputs.drawn.how.view_from_eye, projection};
 }
 
@@ -169,7 +171,7 @@ prepared_effect::prepared_effect(vulkan::device& device, const recipe& wanted, c
     how_.view = inputs.view;
     how_.radius = inputs.drawn.scale.radius(options.radius);
     if (effect.views > 1)
-        place_second(how_, inputs, options);
+        place_further(how_, inputs, options);
     runner_ = std::make_unique<vulkan::runner>(
         device, effect, inputs.depth.width, inputs.depth.height,
         vulkan::runner_options{.guard = inputs.guard, .constants = {}, .shaders = {}});

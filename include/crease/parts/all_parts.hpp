@@ -71,6 +71,7 @@
 #include <crease/parts/traversal/deferred_layers.hpp>
 #include <crease/parts/traversal/front_first.hpp>
 #include <crease/parts/view/device_depth.hpp>
+#include <crease/parts/view/further_views.hpp>
 #include <crease/parts/view/given_normals.hpp>
 #include <crease/parts/view/linear_depth.hpp>
 #include <crease/parts/view/linearised_depth.hpp>
@@ -116,6 +117,7 @@ inline constexpr const part* all_parts[] = {
     &work_efficient_scan::description,
     &subgroup_scan::description,
     &second_view_part::description,
+    &further_views_part::description,
     &centred_samples_part::description,
     &multisampled_part::description,
     &atomic_minimum_part::description,
