@@ -45,8 +45,8 @@ struct crease_march {
 
 struct crease_contribution {
     crease_cosine_bitmask_slab slab; // the nearest of the tap
-    uint hidden;                     // by those behind it
-    float nearness;                  // of what they hide
+    uint own, behind;                // sectors that it hides, and that those behind it hide: where a tap has several
+    float own_nearness, behind_nearness;
 };
 
 crease_estimate crease_estimate_begin(crease_receiver receiver) { return crease_estimate(0.0, 0.0); }
@@ -78,6 +78,10 @@ crease_march crease_begin_direction(crease_estimate estimate, crease_receiver re
     march.before = 0.0;
     march.taps = 0;
     return march;
+}
+
+float crease_cosine_bitmask_sector(crease_march march, float sine) {
+    return clamp(march.constant.x + sine * (march.linear.x + sine * (march.square.x + sine * march.cubic.x)), 0.0, 31.0);
 }
 
 // The sectors of a slab of this thickness, and 1 / the distance of its nearer end, times cos g.
@@ -114,9 +118,44 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
     float ray_height = dot(march.height, ray), ray_along = dot(march.along, ray);
     float height = ray_height * depth + (dot(march.height, start) - march.bias);
     float along = ray_along * depth + dot(march.along, start);
-    return crease_contribution(crease_cosine_bitmask_slab(tap.inside ? height : -1.0, along, ray_height, ray_along, depth,
-                                                          tap.gap, tap.gap * tap.distance),
-                               0u, 0.0);
+    crease_contribution own;
+    own.slab = crease_cosine_bitmask_slab(tap.inside ? height : -1.0, along, ray_height, ray_along, depth, tap.gap,
+                                          tap.gap * tap.distance);
+    own.own = 0u;
+    own.behind = 0u;
+    own.own_nearness = 0.0;
+    own.behind_nearness = 0.0;
+    if (crease_most_layers > 1) {
+        float nearest;
+        own.own = crease_cosine_bitmask_sectors_of(march, own.slab, crease_cosine_bitmask_thickness * crease_radius, nearest);
+        own.own_nearness = 1.0 - march.reach / nearest;
+    }
+    return own;
+}
+
+// Layers of a tap hide what any of them hides.
+crease_contribution crease_combine(crease_contribution a, crease_contribution b) {
+    crease_contribution near = a, far = b;
+    if (b.slab.depth < a.slab.depth) {
+        near = b;
+        far = a;
+    }
+    uint behind = (far.own | far.behind) & ~near.behind;
+    float before = float(bitCount(near.behind)), added = float(bitCount(behind));
+    near.behind_nearness = (before * near.behind_nearness + added * max(far.own_nearness, far.behind_nearness)) /
+        max(before + added, 1.0);
+    near.behind |= behind;
+    return near;
+}
+
+// The way on from a layer leads down to the tangent plane.
+bool crease_skip_behind(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer front) {
+    vec3 to_front = front.position - receiver.position;
+    float height = dot(march.height, to_front) - march.bias;
+    float along = dot(march.along, to_front) * max(1.0 - 0.3 * tap.gap, 0.4);
+    float sector = crease_cosine_bitmask_sector(march, along * inversesqrt(height * height + along * along));
+    uint below = height > 0.0 ? (1u << uint(sector)) - 1u : 0u;
+    return (below & ~march.hidden) == 0u;
 }
 
 // What is nearer than the taps on both sides of it is no thicker than they are apart.
@@ -136,14 +175,25 @@ void crease_add(inout crease_march march, crease_contribution contribution) {
         crease_cosine_bitmask_hide_slab(march, march.last,
                                         crease_cosine_bitmask_thickness_of(march, contribution.slab.depth));
     if (crease_most_layers > 1)
-        crease_cosine_bitmask_hide(march, contribution.hidden, contribution.nearness);
+        crease_cosine_bitmask_hide(march, contribution.behind, contribution.behind_nearness);
     march.before = march.last.depth;
     march.last = contribution.slab;
     ++march.taps;
 }
 
+void crease_add_behind(inout crease_march march, crease_contribution front, crease_contribution behind) {
+    crease_cosine_bitmask_hide(march, behind.own, behind.own_nearness);
+    crease_cosine_bitmask_hide(march, behind.behind, behind.behind_nearness);
+}
+
+crease_march crease_cosine_bitmask_ended(crease_march march) {
+    float thickness = crease_cosine_bitmask_thickness_of(march, crease_background);
+    crease_cosine_bitmask_hide_slab(march, march.last, thickness);
+    return march;
+}
+
 void crease_end_direction(inout crease_estimate estimate, crease_march march) {
-    crease_cosine_bitmask_hide_slab(march, march.last, crease_cosine_bitmask_thickness_of(march, crease_background));
+    march = crease_cosine_bitmask_ended(march);
     float hidden = crease_cosine_bitmask_linear != 0 ? march.occlusion : float(bitCount(march.hidden));
     estimate.hidden += march.weight * hidden;
     estimate.whole += march.weight;
@@ -151,6 +201,26 @@ void crease_end_direction(inout crease_estimate estimate, crease_march march) {
 
 float crease_estimate_occlusion(crease_estimate estimate) {
     return estimate.hidden / (max(estimate.whole, 1e-6) * float(crease_cosine_bitmask_sectors));
+}
+
+// What the hidden sectors take of the mean direction, an eighth of the angles from the eye to the tangent plane at a time.
+// One and a half times the mean of all half slices is the normal.
+crease_open crease_open_direction(crease_march march, crease_receiver receiver, vec2 direction) {
+    uint hidden = crease_cosine_bitmask_ended(march).hidden;
+    float eye = atan(march.towards.y, march.towards.x), width = (1.57079633 + eye) / 8.0;
+    uint below = (1u << uint(crease_cosine_bitmask_sectors)) - 1u; // sectors from an angle to the tangent plane
+    vec2 moved = vec2(0.0); // along the direction, and to the eye
+    float turned = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        float angle = width * (float(i) + 0.5); // from the eye
+        uint above = below;
+        below = (1u << uint(crease_cosine_bitmask_sector(march, sin(width * float(i + 1) - eye)))) - 1u;
+        uint within = above & ~below;
+        float taken = float(bitCount(hidden & within));
+        moved -= vec2(sin(angle), cos(angle)) * (1.5 / float(crease_cosine_bitmask_sectors) * taken);
+        turned += width * taken / max(float(bitCount(within)), 1.0);
+    }
+    return crease_open(vec3(direction * moved.x, moved.y) * march.weight, march.weight, turned * march.weight);
 }
 #ifdef __cplusplus
 ")glsl"
