@@ -111,7 +111,7 @@ TEST_CASE("each pass reads what the one before it writes, in the encoding betwee
     CHECK(p.passes[0].input == -1);
     for (std::size_t i = 1; i < p.passes.size(); ++i) {
         CHECK(p.passes[i].input == static_cast<int>(p.passes[i - 1].outputs[0]));
-        CHECK(p.resources[p.passes[i - 1].outputs[0]].texels == format::r32_uint);
+        CHECK(p.resources[p.passes[i - 1].outputs[0]].texels == format::rg32_uint);
         CHECK(p.passes[i].last == (i + 1 == p.passes.size()));
     }
     CHECK(p.resources[p.passes[p.passes.size() - 1].outputs[0]].texels == format::r8_unorm);

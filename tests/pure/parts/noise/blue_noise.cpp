@@ -63,7 +63,7 @@ TEST_CASE("blue_noise takes the place of the default and brings its tile, once a
     CHECK(tile->life == crease::lifetime::constant);
     CHECK(tile->size.width_of(1280) == side);
     CHECK(tile->size.height_of(720) == side);
-    CHECK(tile->fill == crease::blue_noise::fill);
+    CHECK((tile->fill == crease::blue_noise::fill));
 }
 
 TEST_CASE("the three numbers of the tile take every value equally often") {
