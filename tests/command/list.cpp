@@ -87,7 +87,7 @@ TEST_CASE("list: as text a setting reads as --set takes it, with its part where 
     const std::string text = expect_success("list");
     CHECK(occurrences("--set hbao.bias=", text) == 1);
     CHECK(occurrences("--set bilateral.sharpness=", text) == 1);
-    CHECK(occurrences("--set upsample.sharpness=", text) == 1);
+    CHECK(occurrences("--set plane_reach=0.05 (0 to 10, for all parts that have it)", text) >= 1);
     CHECK(occurrences("--set strength=1.15 (0 to 16, for all parts that have it)", text) >= 1);
     CHECK(occurrences("hbao.strength", text) == 0);
 }

@@ -36,7 +36,7 @@
 #include <crease/parts/filter/upsample.hpp>
 #include <crease/parts/noise/blue_noise.hpp>
 #include <crease/parts/noise/hashed_noise.hpp>
-#include <crease/parts/noise/hilbert_noise.hpp>
+#include <crease/parts/noise/hilbert_r2_noise.hpp>
 #include <crease/parts/noise/interleaved_gradient_noise.hpp>
 #include <crease/parts/noise/tiled_noise.hpp>
 #include <crease/parts/output/bent_cone.hpp>
@@ -153,7 +153,7 @@ inline constexpr const part* all_parts[] = {
     &hashed_noise::description,
     &tiled_noise_part::description,
     &interleaved_gradient_noise::description,
-    &hilbert_noise::description,
+    &hilbert_r2_noise::description,
     &blue_noise::description,
     &first_surface::description,
     &texel_fetch::description,
