@@ -65,6 +65,9 @@ public:
             set_ = static_cast<unsigned>(placed->number_of("set"));
             first_binding_ = static_cast<unsigned>(placed->number_of("first_binding"));
             next_id_ = static_cast<unsigned>(placed->number_of("first_constant"));
+            // A shader may hold the functions of several passes.
+            set_ += pass.in_chain;
+            next_id_ += pass.in_chain * static_cast<unsigned>(constant_list::capacity);
         }
     }
 
@@ -99,7 +102,7 @@ private:
     constexpr void use_roots() {
         switch (pass_.stage) {
         case stage_kind::functions:
-            use("visibility");
+            use(pass_.last ? "visibility" : "handed_on");
             return;
         case stage_kind::geometry:
             use("capture");
