@@ -421,13 +421,14 @@ private:
 };
 
 /// Writes the program of a pass out of the symbols of its files: compile time and run time alike.
+/// @param files_are_cut  whether there are more files than `file_list` holds
 constexpr program write_program(const plan& p, const planned_pass& pass,
-                                array_view<const symbol_table* const> files) {
+                                array_view<const symbol_table* const> files, bool files_are_cut) {
     linker found;
     for (const symbol_table* file : files)
         found.add(*file);
     program written = program_writer(p, pass, found).write();
-    written.cut = written.cut || files.size() == file_list::capacity;
+    written.cut = written.cut || files_are_cut;
     return written;
 }
 
