@@ -113,6 +113,8 @@ private:
             return GL_R32UI;
         case crease::format::rg32_uint:
             return GL_RG32UI;
+        case crease::format::rgba32_uint:
+            return GL_RGBA32UI;
         case crease::format::r32_float:
             return GL_R32F;
         case crease::format::rg32_float:

@@ -126,12 +126,16 @@ TEST_CASE("a history begins at 0, and each of three frames reads what the one be
     vulkan::runner runner(device, images, 7, 5);
     parameters p = sized(7, 5);
     REQUIRE(set(p, little::settings, "bias", 0.5f));
+    std::vector<float> before(7 * 5 * 4, 0.0f);
     for (const auto& [radius, digits, halves] :
          {std::tuple(1.0f, 1.0f, 0.5f), {2.0f, 12.0f, 5.5f}, {3.0f, 123.0f, 55.5f}}) {
         p.radius = radius;
         runner.run(p);
         const std::vector<float> texels = runner.download("digits");
         REQUIRE(texels.size() == 7 * 5 * 4);
+        CHECK(runner.download("kept") == texels);
+        CHECK(runner.download("kept_before") == before);
+        before = texels;
         for (std::size_t i = 0; i < texels.size(); i += 4)
             CHECK((texels[i] == digits && texels[i + 1] == 0 && texels[i + 3] == halves));
     }
@@ -153,10 +157,14 @@ TEST_CASE("a history of buffers begins at 0, and each of three frames reads what
     vulkan::device& device = validated_device();
     vulkan::runner runner(device, buffers, 7, 5);
     parameters p = sized(7, 5);
+    std::vector<std::byte> before(5 * 4, std::byte{0});
     for (const auto& [radius, digits] : {std::pair(1.0f, 1u), {2.0f, 12u}, {3.0f, 123u}}) {
         p.radius = radius;
         runner.run(p);
         const std::vector<std::byte> bytes = runner.download_buffer("digits");
+        CHECK(runner.download_buffer("kept") == bytes);
+        CHECK(runner.download_buffer("kept_before") == before);
+        before = bytes;
         std::uint32_t numbers[5];
         REQUIRE(bytes.size() == sizeof numbers);
         std::memcpy(numbers, bytes.data(), sizeof numbers);

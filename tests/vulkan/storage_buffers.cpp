@@ -159,14 +159,14 @@ TEST_CASE("what passes do with buffers waits for what was done before, and the h
     const std::vector<recorded_barrier> of_memory = barriers_of(VK_NULL_HANDLE, before);
     constexpr VkAccessFlags cleared = VK_ACCESS_TRANSFER_WRITE_BIT, written = VK_ACCESS_SHADER_WRITE_BIT,
                             read = VK_ACCESS_SHADER_READ_BIT;
-    REQUIRE(of_memory.size() == 3);
-    CHECK(of_memory[0].waits_for(VK_PIPELINE_STAGE_TRANSFER_BIT, cleared));
-    CHECK(of_memory[0].is_waited_for_by(VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, read | written));
-    CHECK(of_memory[1].waits_for(VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, written));
-    CHECK(of_memory[1].is_waited_for_by(VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, read));
-    CHECK(of_memory[2].waits_for(VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT,
+    REQUIRE(of_memory.size() == 5); // the first two are the block's
+    CHECK(of_memory[2].waits_for(VK_PIPELINE_STAGE_TRANSFER_BIT, cleared));
+    CHECK(of_memory[2].is_waited_for_by(VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, read | written));
+    CHECK(of_memory[3].waits_for(VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, written));
+    CHECK(of_memory[3].is_waited_for_by(VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, read));
+    CHECK(of_memory[4].waits_for(VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT,
                                  written));
-    CHECK(of_memory[2].is_waited_for_by(VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT));
+    CHECK(of_memory[4].is_waited_for_by(VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT));
 }
 
 TEST_CASE("a buffer that is too large or of unknown elements is refused by its name") {

@@ -5,6 +5,7 @@
 
 #include <crease/second_camera.hpp>
 
+#include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
@@ -49,8 +50,7 @@ void upload_inputs(vulkan::runner& runner, const effect_view& effect, const gbuf
         } else {
             std::vector<float> linear;
             for (float z : inputs.device)
-                linear.push_back(
-                    1 / std::max(z * inputs.view.depth_unpack[0] + inputs.view.depth_unpack[1], 1e-15f));
+                linear.push_back(z == background_of(inputs.depth_kind) ? 0 : linear_depth_of(inputs, z));
             runner.upload(wanted.name, linear);
         }
     }
@@ -75,6 +75,14 @@ void place_further(parameters& how, const gbuffer& inputs, const frame_options& 
         const glm::mat4 rounded(turn);
         std::copy_n(glm::value_ptr(rounded), 16, how.further_views[0].from_first);
     }
+}
+
+/// A recipe with one part more.
+recipe with(const recipe& before, const part& added) {
+    std::vector<const part*> known = {&added}; // of the others some may be a host's own
+    for (const choice& c : before.choices())
+        known.push_back(c.what);
+    return recipe(std::string(before.text().view()) + "/" + std::string(added.name), known);
 }
 
 /// The unit direction that a point of the octahedron stands for.
@@ -111,16 +119,22 @@ transforms transforms_of(const pass& which, parameters& how, const gbuffer& inpu
 
 }
 
+recipe seen_by(const camera& from, const recipe& chosen) {
+    const part& suits = from.orthographic ? orthographic::description : perspective::description;
+    for (const choice& c : chosen.choices())
+        if (c.what->kind == role::projection && c.what->name != suits.name)
+            throw recipe_error(fmt::format("the recipe has the projection '{}', and the camera '{}' is {}",
+                                           c.what->name, from.name, suits.name));
+    const choice_list all = complete(chosen.choices());
+    return std::ranges::any_of(all, [&](const choice& c) { return c.what->name == suits.name; })
+               ? chosen
+               : with(chosen, suits);
+}
+
 recipe supported(const vulkan::device& device, const recipe& chosen) {
     const auto features = [](const recipe& of) { return std::make_unique<composition>(of)->view().features; };
     const auto has = [](array_view<const choice> parts, role wanted) {
         return std::ranges::any_of(parts, [wanted](const choice& c) { return c.what->kind == wanted; });
-    };
-    const auto with = [](const recipe& before, const part& added) {
-        std::vector<const part*> known = {&added}; // of the others some may be a host's own
-        for (const choice& c : before.choices())
-            known.push_back(c.what);
-        return recipe(std::string(before.text().view()) + "/" + std::string(added.name), known);
     };
     recipe suited = chosen;
     if (device.is_processor() && !has(chosen.choices(), role::image_reads))
@@ -143,15 +157,17 @@ recipe supported(const vulkan::device& device, const recipe& chosen) {
 prepared_effect::prepared_effect(vulkan::device& device, const recipe& wanted, const gbuffer& inputs,
                                  const frame_options& options)
     : inputs_(inputs) {
-    const recipe chosen = supported(device, wanted);
+    const recipe chosen = supported(device, seen_by(inputs.from, wanted));
+    if (!chosen)
+        throw recipe_error(std::string(chosen.error()));
     how_ = settle(chosen, options);
     composed_ = std::make_unique<composition>(chosen);
     const effect_view effect = composed_->view();
     if (!*composed_)
-        throw std::runtime_error(std::string(composed_->error()));
+        throw recipe_error(std::string(composed_->error()));
     if (effect.passes.back().stage == stage_kind::functions ||
         effect.passes.back().dialect != dialect_kind::vulkan)
-        throw std::runtime_error("a recipe that is run is of programs in the vulkan dialect");
+        throw recipe_error("a recipe that is run is of programs in the vulkan dialect");
     how_.view = inputs.view;
     how_.radius = inputs.drawn.scale.radius(options.radius);
     if (effect.views > 1)
@@ -173,7 +189,7 @@ void prepared_effect::set_geometry() {
                               {.vertex = vertex,
                                .fragment = fragment,
                                .push_constant_bytes = sizeof pushed,
-                               .reversed_depth = true},
+                               .reversed_depth = inputs_.depth_kind != device_depth_kind::standard},
                               *inputs_.drawn.triangles, std::as_bytes(std::span(&pushed, 1)));
     }
 }

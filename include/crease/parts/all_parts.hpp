@@ -20,6 +20,8 @@
 #include <crease/parts/depth/summed_area_uniform.hpp>
 #include <crease/parts/dialect/opengl.hpp>
 #include <crease/parts/dialect/vulkan.hpp>
+#include <crease/parts/estimator/cosine_bitmask.hpp>
+#include <crease/parts/estimator/gtao.hpp>
 #include <crease/parts/estimator/hbao.hpp>
 #include <crease/parts/estimator/hbao_plus.hpp>
 #include <crease/parts/estimator/line_volume.hpp>
@@ -27,9 +29,15 @@
 #include <crease/parts/estimator/point_volume.hpp>
 #include <crease/parts/estimator/ssao.hpp>
 #include <crease/parts/estimator/unsharp_mask.hpp>
+#include <crease/parts/estimator/visibility_bitmask.hpp>
 #include <crease/parts/filter/bilateral.hpp>
+#include <crease/parts/filter/plane_filter.hpp>
+#include <crease/parts/filter/separable_plane_filter.hpp>
 #include <crease/parts/filter/upsample.hpp>
+#include <crease/parts/noise/blue_noise.hpp>
 #include <crease/parts/noise/hashed_noise.hpp>
+#include <crease/parts/noise/hilbert_r2_noise.hpp>
+#include <crease/parts/noise/interleaved_gradient_noise.hpp>
 #include <crease/parts/noise/tiled_noise.hpp>
 #include <crease/parts/output/bent_cone.hpp>
 #include <crease/parts/output/packed_bent_cone.hpp>
@@ -44,10 +52,12 @@
 #include <crease/parts/sampler/box_area.hpp>
 #include <crease/parts/sampler/box_window.hpp>
 #include <crease/parts/sampler/directions.hpp>
+#include <crease/parts/sampler/half_directions.hpp>
 #include <crease/parts/sampler/hemisphere_lines.hpp>
 #include <crease/parts/sampler/hemisphere_points.hpp>
 #include <crease/parts/sampler/poisson_disk.hpp>
 #include <crease/parts/sampler/sample_box.hpp>
+#include <crease/parts/sampler/slices.hpp>
 #include <crease/parts/sampler/sphere_lines.hpp>
 #include <crease/parts/sampler/sphere_points.hpp>
 #include <crease/parts/scan/subgroup_scan.hpp>
@@ -78,6 +88,8 @@ namespace crease {
 /// Every part of crease, for recipes and lists.
 inline constexpr const part* all_parts[] = {
     &directions_part::description,
+    &half_directions_part::description,
+    &slices_part::description,
     &hemisphere_points_part::description,
     &poisson_disk_part::description,
     &sphere_points_part::description,
@@ -96,6 +108,9 @@ inline constexpr const part* all_parts[] = {
     &depth_pyramid_part::description,
     &hbao::description,
     &hbao_plus::description,
+    &gtao::description,
+    &visibility_bitmask::description,
+    &cosine_bitmask_part::description,
     &mean_height_part::description,
     &ssao::description,
     &point_volume::description,
@@ -125,6 +140,8 @@ inline constexpr const part* all_parts[] = {
     &rgba8::description,
     &r32f::description,
     &bilateral_part::description,
+    &plane_filter_part::description,
+    &separable_plane_filter_part::description,
     &upsample_part::description,
     &perspective::description,
     &orthographic::description,
@@ -135,6 +152,9 @@ inline constexpr const part* all_parts[] = {
     &reconstructed_normals::description,
     &hashed_noise::description,
     &tiled_noise_part::description,
+    &interleaved_gradient_noise::description,
+    &hilbert_r2_noise::description,
+    &blue_noise::description,
     &first_surface::description,
     &texel_fetch::description,
     &image_load::description,

@@ -44,6 +44,7 @@ public:
         mapped_ = static_cast<std::byte*>(mapped);
     }
 
+    /// The buffer itself.
     VkBuffer handle() const { return handle_; }
 
     /// Its content. The host must not touch it while the device uses it.
@@ -55,5 +56,18 @@ private:
     detail::owned_buffer handle_;
     std::byte* mapped_ = nullptr;
 };
+
+}
+
+namespace crease::vulkan::detail {
+
+/// Records that all memory which `from` wrote by `written` is seen by `to` that touch it by `next`.
+inline void memory_barrier(VkCommandBuffer commands, VkPipelineStageFlags from, VkAccessFlags written,
+                           VkPipelineStageFlags to, VkAccessFlags next) {
+    auto barrier = blank<VkMemoryBarrier>(VK_STRUCTURE_TYPE_MEMORY_BARRIER);
+    barrier.srcAccessMask = written;
+    barrier.dstAccessMask = next;
+    vkCmdPipelineBarrier(commands, from, to, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+}
 
 }

@@ -51,12 +51,9 @@ inline void prepare_for(VkCommandBuffer commands, std::span<const binding> of, c
                 used->transition(commands, shader_use_of(b.how, stage), b.level);
         } else
             has_buffers = has_buffers || (b.resource != 0 && has_descriptor(b.how));
-    if (!has_buffers)
-        return;
-    auto barrier = blank<VkMemoryBarrier>(VK_STRUCTURE_TYPE_MEMORY_BARRIER);
-    barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT;
-    barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT;
-    vkCmdPipelineBarrier(commands, buffer_writers, stage, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+    if (has_buffers)
+        memory_barrier(commands, buffer_writers, VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT,
+                       stage, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT);
 }
 
 inline owned_sampler make_nearest_sampler(const device& on) {
@@ -67,14 +64,17 @@ inline owned_sampler make_nearest_sampler(const device& on) {
     return make<owned_sampler>(on.handle(), vkCreateSampler, info, "a sampler");
 }
 
-/// The descriptor sets of one program, and the pipeline layout they make.
+/// The descriptor sets of one program, as many times as there are ways round in which histories can lie, and
+/// the pipeline layout they make.
 class descriptors {
 public:
     /// @param of          bindings of `resources`
+    /// @param ways        >= 1
     /// @param push_bytes  of push constants, which the stages of `pushed_to` read
     descriptors(const device& on, std::span<const binding> of, std::span<const resource> resources,
-                VkShaderStageFlags stage, std::uint32_t push_bytes = 0, VkShaderStageFlags pushed_to = 0)
-        : device_(on.handle()) {
+                VkShaderStageFlags stage, std::size_t ways, std::uint32_t push_bytes = 0,
+                VkShaderStageFlags pushed_to = 0)
+        : device_(on.handle()), sets_(ways) {
         for (const resource& r : resources)
             kinds_.push_back(r.kind);
         std::ranges::copy_if(of, std::back_inserter(bindings_),
@@ -99,10 +99,10 @@ public:
 
     VkPipelineLayout layout() const { return layout_; }
 
-    void write(const bound_resources& bound, VkSampler sampler) const {
+    void write(const bound_resources& bound, VkSampler sampler, std::size_t way) const {
         for (const binding& b : bindings_) {
             auto write = blank<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
-            write.dstSet = sets_[b.set];
+            write.dstSet = sets_[way][b.set];
             write.dstBinding = b.slot;
             write.descriptorCount = 1;
             write.descriptorType = type_of(b);
@@ -121,10 +121,11 @@ public:
         }
     }
 
-    void bind(VkCommandBuffer commands, VkPipelineBindPoint point) const {
-        if (!sets_.empty())
-            vkCmdBindDescriptorSets(commands, point, layout_, 0, static_cast<std::uint32_t>(sets_.size()),
-                                    sets_.data(), 0, nullptr);
+    void bind(VkCommandBuffer commands, VkPipelineBindPoint point, std::size_t way) const {
+        const std::vector<VkDescriptorSet>& sets = sets_[way];
+        if (!sets.empty())
+            vkCmdBindDescriptorSets(commands, point, layout_, 0, static_cast<std::uint32_t>(sets.size()),
+                                    sets.data(), 0, nullptr);
     }
 
 private:
@@ -134,7 +135,7 @@ private:
     std::vector<owned_set_layout> layouts_;
     owned_pipeline_layout layout_;
     owned_descriptor_pool pool_;
-    std::vector<VkDescriptorSet> sets_;
+    std::vector<std::vector<VkDescriptorSet>> sets_; ///< by way round
 
     VkDescriptorType type_of(const binding& b) const { return descriptor_of(b.how, kinds_[b.resource]); }
 
@@ -151,20 +152,23 @@ private:
     }
 
     void allocate_sets(const std::vector<VkDescriptorSetLayout>& layouts) {
+        const auto ways = static_cast<std::uint32_t>(sets_.size());
         std::vector<VkDescriptorPoolSize> sizes;
         for (const binding& b : bindings_)
-            sizes.push_back({type_of(b), 1});
+            sizes.push_back({type_of(b), ways});
         auto info = blank<VkDescriptorPoolCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO);
-        info.maxSets = static_cast<std::uint32_t>(layouts.size());
+        info.maxSets = static_cast<std::uint32_t>(layouts.size()) * ways;
         info.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
         info.pPoolSizes = sizes.data();
         pool_ = make<owned_descriptor_pool>(device_, vkCreateDescriptorPool, info, "a descriptor pool");
         auto wanted = blank<VkDescriptorSetAllocateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO);
         wanted.descriptorPool = pool_;
-        wanted.descriptorSetCount = info.maxSets;
+        wanted.descriptorSetCount = static_cast<std::uint32_t>(layouts.size());
         wanted.pSetLayouts = layouts.data();
-        sets_.resize(layouts.size());
-        check(vkAllocateDescriptorSets(device_, &wanted, sets_.data()), "make descriptor sets");
+        for (std::vector<VkDescriptorSet>& sets : sets_) {
+            sets.resize(layouts.size());
+            check(vkAllocateDescriptorSets(device_, &wanted, sets.data()), "make descriptor sets");
+        }
     }
 };
 

@@ -16,19 +16,20 @@ public:
     /// @param values  of the pass's constants, in their order
     /// @param outputs  the images that the pass writes
     /// @param size     of the outputs, texels
+    /// @param ways     round in which histories can lie
     prepared_pass(const device& on, const pass& of, std::span<const resource> resources,
                   const pass_shaders& shaders, std::span<const std::int32_t> values,
-                  const std::vector<image*>& outputs, VkExtent2D size)
+                  const std::vector<image*>& outputs, VkExtent2D size, std::size_t ways)
         : pass_(of), compute_(of.stage == stage_kind::compute),
           descriptors_(on, of.bindings, resources,
-                       compute_ ? VK_SHADER_STAGE_COMPUTE_BIT : VK_SHADER_STAGE_FRAGMENT_BIT) {
+                       compute_ ? VK_SHADER_STAGE_COMPUTE_BIT : VK_SHADER_STAGE_FRAGMENT_BIT, ways) {
         const specialization constants(of.constants, values);
         if (compute_) {
             plan_groups(on, values, size);
             pipeline_ = make_compute_pipeline(on, shaders.main, descriptors_.layout(), constants);
             return;
         }
-        target_ = std::make_unique<render_target>(on, outputs, nullptr, size, earlier_content::overwritten);
+        set_outputs(on, outputs, size);
         pipeline_ = make_graphics_pipeline(on, {.vertex = shaders.vertex,
                                                 .fragment = shaders.main,
                                                 .layout = descriptors_.layout(),
@@ -36,20 +37,28 @@ public:
                                                 .constants = &constants});
     }
 
-    std::string name() const { return std::string(pass_.name); }
-
-    void write_descriptors(const bound_resources& bound, VkSampler sampler) const {
-        descriptors_.write(bound, sampler);
+    /// Other images that a fragment pass draws to, like those before in all but their content.
+    void set_outputs(const device& on, const std::vector<image*>& outputs, VkExtent2D size) {
+        if (!compute_ && outputs != outputs_)
+            target_ =
+                std::make_unique<render_target>(on, outputs, nullptr, size, earlier_content::overwritten);
+        outputs_ = outputs;
     }
 
-    /// @param bound  as the descriptors were written
-    void record(VkCommandBuffer commands, const bound_resources& bound) const {
+    std::string name() const { return std::string(pass_.name); }
+
+    void write_descriptors(const bound_resources& bound, VkSampler sampler, std::size_t way) const {
+        descriptors_.write(bound, sampler, way);
+    }
+
+    /// @param bound  as the descriptors of that way round were written
+    void record(VkCommandBuffer commands, const bound_resources& bound, std::size_t way) const {
         prepare_for(commands, pass_.bindings, bound,
                     compute_ ? VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT : VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT);
         const VkPipelineBindPoint point =
             compute_ ? VK_PIPELINE_BIND_POINT_COMPUTE : VK_PIPELINE_BIND_POINT_GRAPHICS;
         vkCmdBindPipeline(commands, point, pipeline_);
-        descriptors_.bind(commands, point);
+        descriptors_.bind(commands, point, way);
         if (compute_) {
             vkCmdDispatch(commands, groups_[0], groups_[1], 1);
         } else {
@@ -63,7 +72,8 @@ private:
     pass pass_;
     bool compute_;
     descriptors descriptors_;
-    std::unique_ptr<render_target> target_;
+    std::vector<image*> outputs_;
+    std::unique_ptr<render_target> target_; ///< null where it computes
     owned_pipeline pipeline_;
     std::uint32_t groups_[2] = {0, 0};
 

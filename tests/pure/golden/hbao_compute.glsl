@@ -1,4 +1,4 @@
-// directions:8x4x2/single_layer/hbao, pass visibility; crease 0.1.0, SPDX-License-Identifier: MIT-0
+// directions:8x4x2/single_layer/hbao, pass visibility; crease 0.2.0, SPDX-License-Identifier: MIT-0
 #version 450
 #extension GL_EXT_control_flow_attributes : enable
 #define crease_unroll [[unroll]]
@@ -44,6 +44,7 @@ float crease_exponent = crease_given.exponent;
 struct crease_result {
     float visibility; // 1 open, 0 closed
     float depth;      // positive, linear; crease_background where there is none
+    vec3 normal;      // view space, unit; filters that weigh by it have it handed on
 };
 
 // Shaders index texels of the whole depth image, guard band included, with texel centres at whole numbers.
@@ -75,10 +76,10 @@ float crease_depth_at(vec2 texel) {
     return crease_linear_depth(textureLod(crease_depth, (texel + 0.5) * crease_view.texel_size, 0.0).x);
 }
 
-crease_result crease_open_result() { return crease_result(1.0, crease_background); }
+crease_result crease_open_result() { return crease_result(1.0, crease_background, vec3(0.0, 0.0, 1.0)); }
 
 vec3 crease_view_position(vec2 texel, float depth) {
-    return vec3(texel * crease_view.from_texel.xy + crease_view.from_texel.zw, -1.0) * depth;
+    return vec3((texel * crease_view.from_texel.xy + crease_view.from_texel.zw) * depth, -depth);
 }
 
 // The point whose visibility is asked for.
@@ -119,7 +120,8 @@ float crease_estimate_occlusion(crease_estimate estimate) {
 }
 
 crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver) {
-    return crease_result(crease_visibility_of(crease_estimate_occlusion(gathered.estimate)), -receiver.position.z);
+    return crease_result(crease_visibility_of(crease_estimate_occlusion(gathered.estimate)), -receiver.position.z,
+                         receiver.normal);
 }
 
 // Directions that divide the circle evenly, and steps that grow by a power of their index; both start at a random
@@ -133,7 +135,7 @@ struct crease_pattern {
     float nearest;  // radii that make a texel, in the root mean square over the directions on the screen
 };
 
-// Two numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
+// Three numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
 uvec3 crease_hashed_noise_mix(uvec3 v) {
     v = v * 1664525u + 1013904223u;
     v += v.yzx * v.zxy;
@@ -142,14 +144,14 @@ uvec3 crease_hashed_noise_mix(uvec3 v) {
     return v;
 }
 
-vec2 crease_noise(ivec2 pixel) {
-    return vec2(crease_hashed_noise_mix(uvec3(uvec2(pixel), crease_frame)).xy >> 8u) * (1.0 / 16777216.0);
+vec3 crease_noise(ivec2 pixel) {
+    return vec3(crease_hashed_noise_mix(uvec3(uvec2(pixel), crease_frame)) >> 8u) * (1.0 / 16777216.0);
 }
 
 float crease_directions_angle() { return 6.28318531 / float(crease_directions_count); }
 
 crease_pattern crease_pattern_begin(crease_receiver receiver) {
-    vec2 noise = crease_noise(receiver.pixel);
+    vec2 noise = crease_noise(receiver.pixel).xy;
     float angle = noise.x * crease_directions_angle();
     // A texel in the root mean square over all directions is at least 1 / sqrt(2) of a texel in each, so no tap falls
     // on the receiver itself.
@@ -226,11 +228,13 @@ crease_march crease_begin_direction(crease_estimate estimate, crease_receiver re
 }
 const int crease_batch_size = 4;
 
-// A tap on the screen, at the centre of a texel.
+// A tap on the screen, at the centre of a texel, on its way along a half slice.
 struct crease_tap {
     vec2 texel;
-    bool inside;  // whether the texel is in the depth image; else it has no weight
-    float weight; // of the tap among those of the receiver, in a mean over the distances or the area around it
+    bool inside;     // whether the texel is in the depth image; else it has no weight
+    float weight;    // of the tap among those of the receiver, in a mean over the distances or the area around it
+    float distance;  // from the receiver along the direction, radii
+    float gap;       // between the taps around it, as a share of its distance
 };
 
 // One layer, the depth image's.
@@ -253,7 +257,9 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     for (int i = 1; i < crease_directions_power; ++i)
         density *= along;
     vec2 texel = floor(pattern.first + pattern.march * (along * density));
-    return crease_tap(texel, crease_inside(texel), pattern.share * density);
+    float distance = pattern.share * pow(along / float(crease_directions_steps), float(crease_directions_power));
+    return crease_tap(texel, crease_inside(texel), pattern.share * density, distance,
+                      float(crease_directions_power) / along);
 }
 
 crease_layers crease_fetch_layers(vec2 texel) { return crease_layers(texel, crease_depth_at(texel)); }
