@@ -20,6 +20,7 @@
 #include <crease/parts/dialect/opengl.hpp>
 #include <crease/parts/dialect/vulkan.hpp>
 #include <crease/parts/estimator/cosine_bitmask.hpp>
+#include <crease/parts/estimator/gtao.hpp>
 #include <crease/parts/estimator/hbao.hpp>
 #include <crease/parts/estimator/hbao_plus.hpp>
 #include <crease/parts/estimator/line_volume.hpp>
@@ -27,6 +28,7 @@
 #include <crease/parts/estimator/point_volume.hpp>
 #include <crease/parts/estimator/ssao.hpp>
 #include <crease/parts/estimator/unsharp_mask.hpp>
+#include <crease/parts/estimator/visibility_bitmask.hpp>
 #include <crease/parts/filter/bilateral.hpp>
 #include <crease/parts/filter/plane_filter.hpp>
 #include <crease/parts/filter/separable_plane_filter.hpp>
@@ -54,6 +56,7 @@
 #include <crease/parts/sampler/hemisphere_points.hpp>
 #include <crease/parts/sampler/poisson_disk.hpp>
 #include <crease/parts/sampler/sample_box.hpp>
+#include <crease/parts/sampler/slices.hpp>
 #include <crease/parts/sampler/sphere_lines.hpp>
 #include <crease/parts/sampler/sphere_points.hpp>
 #include <crease/parts/scan/subgroup_scan.hpp>
@@ -84,6 +87,7 @@ namespace crease {
 inline constexpr const part* all_parts[] = {
     &directions_part::description,
     &half_directions_part::description,
+    &slices_part::description,
     &hemisphere_points_part::description,
     &poisson_disk_part::description,
     &sphere_points_part::description,
@@ -101,6 +105,8 @@ inline constexpr const part* all_parts[] = {
     &mip_chain_part::description,
     &hbao::description,
     &hbao_plus::description,
+    &gtao::description,
+    &visibility_bitmask::description,
     &cosine_bitmask_part::description,
     &mean_height_part::description,
     &ssao::description,

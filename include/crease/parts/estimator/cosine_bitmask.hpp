@@ -39,10 +39,12 @@ struct cosine_bitmask_part {
         .numbers = takes,
         .settings = reads,
         .needs = needs::list,
+        .offers = traits<layers_behind, open_directions>::list,
     };
 };
 
-/// Estimator:
+/// Estimator: the sectors of the cosine lobe that layers of a thickness hide. Aims at the `hard` truth, or
+/// where `Linear` is 1 at the `linear` one. Where `Isolated` is 1, thin things cast less of a dark rim.
 template <int Linear = 0, int Isolated = 1>
 struct cosine_bitmask : cosine_bitmask_part {
     static constexpr int numbers[] = {Linear, Isolated};
