@@ -39,7 +39,7 @@ struct progress::lines final : display {
 
     std::string label;
     std::ostream& to;
-    int next = 0; ///< the quarter whose line comes next
+    int next = 0; ///< the quarter to be reported next
 };
 
 progress::progress(std::string label) : progress(std::move(label), std::cerr, isatty(STDERR_FILENO) != 0) {}

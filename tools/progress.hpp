@@ -7,8 +7,8 @@
 
 namespace crease::tools {
 
-/// Shows how far a long work is: a bar where somebody watches, else one line at each quarter, as logs want
-/// it.
+/// Shows the progress of something long: a bar on a terminal, else one line at each quarter, which suits
+/// logs.
 class progress {
 public:
     /// On stderr; a bar where that is a terminal.

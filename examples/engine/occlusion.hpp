@@ -120,6 +120,8 @@ private:
             return VK_FORMAT_R32_UINT;
         case crease::format::rg32_uint:
             return VK_FORMAT_R32G32_UINT;
+        case crease::format::rgba32_uint:
+            return VK_FORMAT_R32G32B32A32_UINT;
         case crease::format::r32_float:
             return VK_FORMAT_R32_SFLOAT;
         case crease::format::rg32_float:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+/// @namespace crease::spirv
 /// Optional: from an effect's passes to SPIR-V. Needs glslang and SPIRV-Tools; the CMake target is
 /// crease::spirv.
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+/// @namespace crease::vulkan
 /// Optional: a small headless runner that executes any effect as data. Needs Vulkan 1.1 and crease/spirv.hpp;
 /// the CMake target is crease::vulkan.
 

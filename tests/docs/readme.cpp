@@ -34,13 +34,3 @@ TEST_CASE("the README's composition is the README's effect, and a bad recipe thr
     CHECK_THROWS_WITH(readme_page::compose("directions/hbao"),
                       "crease::effect: the second part must be a depth source (hbao)");
 }
-
-TEST_CASE("the README's geometry pass captures layers, and the cone comes out") {
-    CHECK(readme_page::capture.name == "capture_layers");
-    CHECK(readme_page::capture_text.find("void crease_capture(vec3 anchor)") != std::string_view::npos);
-    if (!step::device().features().cover(readme_page::layered::features)) {
-        MESSAGE("the device lacks depth images of 8 samples: layers are not drawn on it");
-        return;
-    }
-    CHECK(step::run(readme_page::layered::view(), "bent_cone").size() == step::width * step::height * 4);
-}

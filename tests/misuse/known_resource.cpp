@@ -10,7 +10,7 @@ struct noise_image {
         "host/make.glsl", "void crease_build(ivec2 texel) { imageStore(crease_numbers, texel, "
                           "vec4(0.5)); }\n"};
     static constexpr crease::glsl_file read{
-        "host/read.glsl", "vec2 crease_noise(ivec2 pixel) { return crease_load_numbers(pixel).xy; }\n"};
+        "host/read.glsl", "vec3 crease_noise(ivec2 pixel) { return crease_load_numbers(pixel).xyz; }\n"};
     static constexpr const crease::glsl_file *making[] = {&make}, *files[] = {&read};
     static constexpr crease::resource images[] = {
         {.name = "numbers", .texels = crease::format::rgba32_float, .life = crease::lifetime::transient}};

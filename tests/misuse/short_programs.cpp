@@ -47,7 +47,7 @@ struct long_noise {
                                             "const int crease_long_noise_37 = 37;\n"
                                             "const int crease_long_noise_38 = 38;\n"
                                             "const int crease_long_noise_39 = 39;\n"
-                                            "vec2 crease_noise(ivec2 pixel) { return vec2(0.5); }\n"};
+                                            "vec3 crease_noise(ivec2 pixel) { return vec3(0.5); }\n"};
     static constexpr const crease::glsl_file* files[] = {&glsl};
     static constexpr crease::part description{
         .kind = crease::role::noise, .name = "long_noise", .summary = "", .source = "", .files = files};

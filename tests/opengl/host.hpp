@@ -5,6 +5,8 @@
 
 #include <crease/effect/effect_view.hpp>
 
+#include <algorithm>
+#include <bit>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,7 +22,7 @@ public:
         glGenVertexArrays(1, &vertex_array_);
         glGenBuffers(1, &block_);
         glGenSamplers(1, &sampler_); // as crease::access::sample asks for
-        glSamplerParameteri(sampler_, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glSamplerParameteri(sampler_, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
         glSamplerParameteri(sampler_, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
         glSamplerParameteri(sampler_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
         glSamplerParameteri(sampler_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
@@ -44,6 +46,8 @@ public:
         crease::write_block(values, effect_.views, effect_.settings.size(), bytes.data());
         glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
         for (const crease::pass& each : effect_.passes) {
+            if (!has_its_level(each))
+                continue;
             GLuint framebuffer; // of this pass's attachments alone
             glGenFramebuffers(1, &framebuffer);
             glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
@@ -109,6 +113,8 @@ private:
             return GL_R32UI;
         case crease::format::rg32_uint:
             return GL_RG32UI;
+        case crease::format::rgba32_uint:
+            return GL_RGBA32UI;
         case crease::format::r32_float:
             return GL_R32F;
         case crease::format::rg32_float:
@@ -125,16 +131,44 @@ private:
         throw std::runtime_error("an image has a format");
     }
 
+    GLsizei levels_of(const crease::resource& r) const {
+        const unsigned longest = std::max(r.size.width_of(width_), r.size.height_of(height_));
+        return static_cast<GLsizei>(std::min(r.levels, static_cast<unsigned>(std::bit_width(longest))));
+    }
+
     GLuint make_texture(const crease::resource& r) const {
         GLuint texture;
         glGenTextures(1, &texture);
         glBindTexture(target_of(r), texture);
+        const GLsizei levels = levels_of(r);
         if (r.arrayed)
-            glTexStorage3D(GL_TEXTURE_2D_ARRAY, 1, format_of(r.texels), width_of(r.size), height_of(r.size),
-                           static_cast<GLsizei>(r.layers));
+            glTexStorage3D(GL_TEXTURE_2D_ARRAY, levels, format_of(r.texels), width_of(r.size),
+                           height_of(r.size), static_cast<GLsizei>(r.layers));
         else
-            glTexStorage2D(GL_TEXTURE_2D, 1, format_of(r.texels), width_of(r.size), height_of(r.size));
+            glTexStorage2D(GL_TEXTURE_2D, levels, format_of(r.texels), width_of(r.size), height_of(r.size));
         return texture;
+    }
+
+    static GLint first_level(const crease::binding& b) {
+        return b.level == crease::binding::all_levels ? 0 : static_cast<GLint>(b.level);
+    }
+
+    /// One level of a texture, as a texture; it goes with the context.
+    GLuint view_of(const crease::binding& b) const {
+        const crease::resource& r = effect_.resources[b.resource];
+        GLuint view;
+        glGenTextures(1, &view);
+        glTextureView(view, target_of(r), textures_[b.resource], format_of(r.texels), b.level, 1, 0,
+                      r.layers);
+        return view;
+    }
+
+    /// Whether the images that a pass touches are large enough to have its level.
+    bool has_its_level(const crease::pass& of) const {
+        return std::ranges::all_of(of.bindings, [this](const crease::binding& b) {
+            return b.level == crease::binding::all_levels ||
+                   first_level(b) < levels_of(effect_.resources[b.resource]);
+        });
     }
 
     void bind(const crease::binding& b) const {
@@ -146,13 +180,13 @@ private:
             break;
         case crease::access::sample:
             glActiveTexture(GL_TEXTURE0 + b.slot);
-            glBindTexture(target_of(r), texture);
+            glBindTexture(target_of(r), b.level == crease::binding::all_levels ? texture : view_of(b));
             glBindSampler(b.slot, sampler_);
             break;
         case crease::access::load:
         case crease::access::store:
         case crease::access::modify:
-            glBindImageTexture(b.slot, texture, 0, r.arrayed, 0,
+            glBindImageTexture(b.slot, texture, first_level(b), r.arrayed, 0,
                                b.how == crease::access::load    ? GL_READ_ONLY
                                : b.how == crease::access::store ? GL_WRITE_ONLY
                                                                 : GL_READ_WRITE,

@@ -42,6 +42,7 @@ const char* const recipes[] = {
     "sample_box/summed_area:2/mean_height/reconstructed_normals",
     "sample_box/summed_area_adaptive:3/mean_height/reconstructed_normals",
     "sample_box/mip_chain:3x2/mean_height/reconstructed_normals",
+    "directions:4x2/depth_pyramid:12/hbao/reconstructed_normals",
 };
 
 }

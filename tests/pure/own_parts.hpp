@@ -102,7 +102,7 @@ vec3 crease_normal_at(vec2 texel, vec3 position) {
 OWN_THINGS(own_noise)
 struct own_noise {
     static constexpr glsl_file glsl{"own/noise.glsl", OWN_VALUE(own_noise) R"(
-vec2 crease_noise(ivec2 pixel) { return vec2(crease_own_noise_value()); }
+vec3 crease_noise(ivec2 pixel) { return vec3(crease_own_noise_value()); }
 )"};
     static constexpr const glsl_file* files[] = {&glsl};
     static constexpr part description{.kind = role::noise,

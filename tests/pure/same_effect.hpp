@@ -84,6 +84,7 @@ void check_equal_to(std::string_view text, array_view<const part* const> known =
     CHECK(view.defaults == Effect::defaults);
     CHECK(view.features == Effect::features);
     CHECK(view.views == Effect::view().views);
+    CHECK(view.recipe == Effect::view().recipe);
     CHECK(all_same<resource>(Effect::resources, view.resources));
     CHECK(all_same<effect_setting>(Effect::settings, view.settings));
     REQUIRE(view.passes.size() == Effect::passes.size());

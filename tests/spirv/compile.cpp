@@ -14,6 +14,16 @@ TEST_CASE("each stage of an effect compiles") {
     CHECK(!spirv::compile_vertex(little::spread).empty());
 }
 
+TEST_CASE("what was compiled beforehand is given as it is, without text") {
+    constexpr std::uint32_t words[] = {1, 2, 3}, vertex_words[] = {4, 5};
+    pass beforehand;
+    beforehand.stage = stage_kind::fragment;
+    beforehand.spirv = words;
+    beforehand.vertex_spirv = vertex_words;
+    CHECK(spirv::compile(beforehand) == spirv::words{1, 2, 3});
+    CHECK(spirv::compile_vertex(beforehand) == spirv::words{4, 5});
+}
+
 TEST_CASE("an error names the pass, the file and the line in that file") {
     const piece pieces[] = {little::version, {"estimator/wrong.glsl", "void main() {\n    x = 1;\n}\n", 4}};
     pass wrong = little::spread;

@@ -75,8 +75,8 @@ public:
         for (const definition& each : table_of(&file).definitions)
             found->use(each.name);
         const auto written = std::make_unique<program>(program_writer(p, pass, *found).write());
-        interface_.resize(written->interface.size());
-        written->interface.write(interface_.data());
+        interface_.resize(written->head.size());
+        written->head.write(interface_.data());
         if (interface_.find("#version") == std::string::npos)
             interface_ = "#version 450\n" + interface_;
         for (const std::string& name : identifiers_of(whole_))

@@ -84,3 +84,19 @@ TEST_CASE("what is downloaded is written before the host reads it") {
     CHECK(last.waits_for(VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT));
     CHECK(last.is_waited_for_by(VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT));
 }
+
+TEST_CASE("levels follow one another, each half as large, and there are no more than the size has") {
+    vulkan::device& device = validated_device();
+    vulkan::image_description d = described(format::r32_float, 5, 3);
+    d.layers = 2;
+    d.levels = 16;
+    vulkan::image image(device, d);
+    CHECK(image.levels() == 3);
+    std::vector<float> numbers(2 * (5 * 3 + 2 * 1 + 1));
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        numbers[i] = static_cast<float>(i);
+    vulkan::upload(device, image, std::span<const float>(numbers));
+    CHECK(vulkan::download(device, image) == numbers);
+    CHECK(sentence_of([&] { vulkan::upload(device, image, std::vector<float>(30)); }) ==
+          "the image 'test' takes 36 numbers, not 30");
+}

@@ -5,8 +5,8 @@
 
 namespace crease::tools {
 
-/// Milliseconds of all passes of an effect, by the median of the repeats; a first run, which compiles, is
-/// left out.
+/// Milliseconds of all passes of an effect together: the median of the repeats, without a first run, which
+/// compiles.
 double median_run(vulkan::runner& runner, unsigned repeats);
 
 }

@@ -33,6 +33,8 @@ std::string names_of(const Imf::ChannelList& channels) {
 }
 
 image read(Imf::InputFile& file, const std::string& name) {
+    if (!file.isComplete())
+        throw image_error(fmt::format("{}: truncated: some of its lines are missing", name));
     const Imf::ChannelList& channels = file.header().channels();
     const std::vector<std::string> wanted = picture_channels(channels);
     if (wanted.empty())

@@ -10,7 +10,9 @@ image::image(unsigned texels_wide, unsigned texels_high, unsigned values_each, f
       texels(std::size_t{texels_wide} * texels_high * values_each, fill) {}
 
 image read_image(const std::filesystem::path& path) {
-    const std::string extension = path.extension().string();
+    std::string extension = path.extension().string();
+    for (char& c : extension)
+        c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
     if (extension == ".pfm")
         return read_pfm(path);
     if (extension == ".exr")

@@ -38,12 +38,12 @@ private:
 /// The longest side, in texels, of an image that is read.
 inline constexpr unsigned longest_side = 16384;
 
-/// Reads by the extension: .pfm or .exr.
+/// Reads by the extension: .pfm or .exr, in letters of either case.
 /// @throws file_error, image_error
 image read_image(const std::filesystem::path& path);
 
 /// PFM: 1 (`Pf`) or 3 (`PF`) channels, either byte order, any value including NaN. The number that scales the
-/// values is read for its sign alone, as everybody does.
+/// values is read for its sign alone, as everybody does. Lines may end in CR LF; nothing may follow the values.
 /// @throws file_error, image_error
 image read_pfm(const std::filesystem::path& path);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 
 namespace crease::tools {
@@ -51,26 +52,33 @@ image read_pfm(const std::filesystem::path& path) {
 }
 
 image parse_pfm(std::string_view bytes, std::string_view name) {
-    const std::string_view magic = take_word(bytes);
+    const std::string_view whole = bytes, magic = take_word(bytes);
     if (magic != "PF" && magic != "Pf")
         throw image_error(fmt::format("{}: not a PFM file: it must begin with 'PF' or 'Pf'", name));
     unsigned width = 0, height = 0;
     float scale = 0;
     if (!parse(take_word(bytes), width) || !parse(take_word(bytes), height) ||
-        !parse(take_word(bytes), scale) || scale == 0 || bytes.empty())
+        !parse(take_word(bytes), scale) || scale == 0 || !std::isfinite(scale) || bytes.empty())
         throw image_error(
             fmt::format("{}: broken PFM header: width, height and a number that is not 0 must follow "
                         "the first line",
                         name));
-    bytes.remove_prefix(1);
     if (width == 0 || height == 0 || width > longest_side || height > longest_side)
         throw image_error(
             fmt::format("{}: {} x {} texels; both must be 1 to {}", name, width, height, longest_side));
     const unsigned channels = magic == "PF" ? 3 : 1;
     const std::size_t size = std::size_t{width} * height * channels * sizeof(float);
+    // One character ends the header, whatever the values begin with, unless its other lines end with two.
+    const std::string_view header = whole.substr(0, whole.size() - bytes.size());
+    const bool two = header.find("\r\n") != std::string_view::npos && bytes.starts_with("\r\n");
+    bytes.remove_prefix(two ? 2 : 1);
     if (bytes.size() < size)
         throw image_error(fmt::format("{}: truncated: {} x {} x {} floats are {} bytes, the file has {}",
                                       name, width, height, channels, size, bytes.size()));
+    if (bytes.size() > size)
+        throw image_error(fmt::format("{}: {} x {} x {} floats are {} bytes, and {} more follow them; write "
+                                      "one picture a file",
+                                      name, width, height, channels, size, bytes.size() - size));
     image pixels(width, height, channels);
     std::memcpy(pixels.texels.data(), bytes.data(), size);
     if ((scale < 0) != (std::endian::native == std::endian::little))

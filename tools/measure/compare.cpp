@@ -117,7 +117,7 @@ comparison compare(const image& test, const image& reference, const comparison_s
 
 double mean_angle(const image& test, const image& reference) {
     if (!test.same_size(reference) || test.channels != 3 || reference.channels != 3)
-        throw comparison_error("directions are compared of two images of one size and 3 channels");
+        throw comparison_error("directions can be compared only in images of one size with 3 channels");
     double sum = 0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < test.texels.size(); i += 3) {

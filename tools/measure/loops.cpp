@@ -16,7 +16,7 @@ unsigned opcode(std::uint32_t first_word) {
 
 constexpr unsigned most_turns = 1 << 20;
 
-/// Where the result of each instruction and each label is, by id.
+/// Finds labels, and the instructions that loop counters are made of, by their ids.
 class definitions {
 public:
     explicit definitions(const spirv::words& module) : module_(module) {
@@ -28,7 +28,7 @@ public:
         });
     }
 
-    /// The word at which what an id names begins; none where it is of no use for counting turns.
+    /// The word at which the instruction of an id begins; none where it is not one of these.
     std::optional<std::size_t> find(std::uint32_t id) const {
         const auto found = places_.find(id);
         return found == places_.end() ? std::nullopt : std::optional(found->second);
@@ -69,7 +69,7 @@ bool holds(unsigned op, std::int64_t a, std::int64_t b) {
     }
 }
 
-/// The turns of a loop that goes on while a counter compares so with a constant.
+/// How often a loop runs that goes on while a counter compares so with a constant.
 unsigned count_turns(const spirv::words& module, const definitions& by_id, std::uint32_t condition) {
     const auto comparison = by_id.find(condition);
     if (!comparison || !definitions::is_comparison(opcode(module[*comparison])))

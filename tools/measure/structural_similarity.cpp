@@ -9,7 +9,7 @@ namespace {
 constexpr unsigned window = 8;
 constexpr double texels_in_window = window * window;
 
-/// Sums over windows in constant time each.
+/// Sums over windows, each in constant time.
 class summed_area {
 public:
     template <typename Value>
@@ -24,7 +24,7 @@ public:
         }
     }
 
-    /// Over the window whose first texel is (x, y).
+    /// The sum over the window whose first texel is (x, y).
     double operator()(unsigned x, unsigned y) const {
         const std::size_t top = y * stride_ + x, bottom = top + window * stride_;
         return sums_[bottom + window] - sums_[bottom] - sums_[top + window] + sums_[top];

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t most_unrolled =
     1 << 17; // words of a loop written out, beyond which optimising takes long
 
-/// Asks for those loops to be unrolled that hold no other and are not too long, and for no others.
+/// Asks the optimiser to unroll the innermost loops that are not too long, and no others.
 /// @return whether there are any
 bool mark_loops(spirv::words& module) {
     const std::vector<module_loop> loops = find_loops(module);
@@ -35,7 +35,7 @@ spirv::words optimised(const spirv::words& module, spvtools::Optimizer& optimise
     optimiser.RegisterPerformancePasses();
     spirv::words result;
     if (!optimiser.Run(module.data(), module.size(), &result))
-        throw spirv::error("the optimiser refuses the module whose work is to be counted");
+        throw spirv::error("the module whose work is to be counted cannot be optimised");
     return result;
 }
 

@@ -5,12 +5,13 @@
 
 namespace crease::tools {
 
-/// What one invocation of a shader does at the most: every branch taken, every loop run to its end.
+/// The most that one invocation of a shader can do: every branch taken, every loop run to its end.
 struct shader_work {
     unsigned instructions =
         0; ///< SPIR-V instructions of its function after optimisation, labels and branches left out
-    unsigned fetches = 0;      ///< of these, reads of images
-    bool counted_whole = true; ///< false where the turns of a loop are no constant, and it counts once
+    unsigned fetches = 0; ///< of these, reads of images
+    bool counted_whole =
+        true; ///< false where a loop runs a number of times that is no constant: it counts once
 };
 
 /// Counts the work of a module with its specialization constants at their defaults.

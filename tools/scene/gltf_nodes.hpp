@@ -1,30 +1,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "scene/gltf_json.hpp"
+
+#include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 
 #include <cstddef>
-#include <string_view>
 #include <vector>
 
 namespace crease::tools {
 
-/// The nodes of a glTF file with their transforms as written, of which Assimp keeps 32 bits: too few for map
-/// coordinates.
+/// Where the nodes of a glTF file stand, in double precision as map coordinates need.
 struct gltf_nodes {
-    struct node {
-        glm::dmat4 to_parent{1};
-        std::vector<std::size_t> children;
-    };
-    std::vector<node> all;
-    std::vector<std::size_t> roots; ///< of the scene that is shown
-
-    /// The nodes at the top as Assimp has them: one root, or a node of its own that holds all roots.
-    node top() const;
+    std::vector<glm::dmat4> to_world; ///< by node
+    std::vector<std::size_t> shown;   ///< the nodes of the scene that is shown, each before its children
 };
 
-/// @param file  the bytes of a .glb or .gltf file
-/// @return no roots where it cannot be read
-gltf_nodes read_gltf_nodes(std::string_view file);
+/// @param root  the whole JSON
+/// @throws scene_error where the nodes do not form trees
+gltf_nodes read_gltf_nodes(const gltf_value& root);
+
+/// The transform that scales, then rotates, then moves.
+glm::dmat4 transform(const glm::dvec3& translation, const glm::dquat& rotation, const glm::dvec3& scale);
 
 }

@@ -50,6 +50,7 @@ public:
             if (map.is_used[i])
                 resources_.add(describe(planned.resources[i]));
         settings_ = planned.settings;
+        recipe_ = planned.recipe;
         views_ = planned.views;
         features_ = required_features(planned);
         defaults_ = default_parameters(settings_);
@@ -63,7 +64,11 @@ public:
     /// One sentence that says why not; empty where there are.
     std::string_view error() const { return error_.view(); }
 
-    effect_view view() const& { return {passes_, resources_, settings_, views_, features_, defaults_}; }
+    /// The effect as data, of which this holds the text and the lists.
+    effect_view view() const& {
+        return {passes_, resources_, settings_, views_, features_, defaults_, recipe_.view()};
+    }
+    /// The same, without a word: an effect is passed where its data is asked for.
     operator effect_view() const& { return view(); }
     effect_view view() const&& = delete; // it would view what is gone
     operator effect_view() const&& = delete;
@@ -71,7 +76,7 @@ public:
 private:
     struct storage {
         program written;
-        char interface[interface_text::most_characters];
+        char head[interface_text::most_characters];
         piece pieces[1 + 192];
         std::size_t piece_count = 0;
     };
@@ -84,8 +89,8 @@ private:
             tables[i] = &table_of(files[i]);
         own.written = write_program(planned, each, {tables, files.size()});
         own.written.cut = own.written.cut || tables_.cut;
-        own.written.interface.write(own.interface);
-        own.pieces[own.piece_count++] = {"interface", {own.interface, own.written.interface.size()}};
+        own.written.head.write(own.head);
+        own.pieces[own.piece_count++] = {"interface", {own.head, own.written.head.size()}};
         for (const linker::linked& each_definition : own.written.definitions)
             own.pieces[own.piece_count++] = piece_of(each_definition);
     }
@@ -108,6 +113,7 @@ private:
     unsigned views_ = 1;
     device_features features_;
     parameters defaults_;
+    fixed_text<512> recipe_;
     fixed_text<512> error_;
 };
 

@@ -40,6 +40,11 @@ inline constexpr glsl_file skip_behind_glsl{
 #include <crease/core/skip_behind.glsl>
 };
 
+inline constexpr glsl_file slice_weight_glsl{
+    "core/slice_weight.glsl",
+#include <crease/core/slice_weight.glsl>
+};
+
 inline constexpr glsl_file gathered_glsl{
     "core/gathered.glsl",
 #include <crease/core/gathered.glsl>
@@ -53,6 +58,11 @@ inline constexpr glsl_file gather_glsl{
 inline constexpr glsl_file result_glsl{
     "core/result.glsl",
 #include <crease/core/result.glsl>
+};
+
+inline constexpr glsl_file no_normal_glsl{
+    "core/no_normal.glsl",
+#include <crease/core/no_normal.glsl>
 };
 
 inline constexpr glsl_file strength_glsl{
@@ -82,7 +92,8 @@ inline constexpr glsl_file build_columns_glsl{
 
 /// What every program may call: each is a default, in whose place a part may define its own.
 inline constexpr const glsl_file* core_files[] = {
-    &view_glsl,        &texels_glsl,   &receiver_glsl, &layer_glsl,  &fetch_glsl,    &combine_glsl,
-    &skip_behind_glsl, &gathered_glsl, &gather_glsl,   &result_glsl, &strength_glsl, &pixel_glsl};
+    &view_glsl,    &texels_glsl,      &receiver_glsl,     &layer_glsl,    &fetch_glsl,
+    &combine_glsl, &skip_behind_glsl, &slice_weight_glsl, &gathered_glsl, &gather_glsl,
+    &result_glsl,  &no_normal_glsl,   &strength_glsl,     &pixel_glsl};
 
 }

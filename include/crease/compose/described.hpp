@@ -108,12 +108,4 @@ constexpr device_features required_features(const plan& p) {
     return required;
 }
 
-/// The parameters with each part's recommended settings, and no view yet.
-constexpr parameters default_parameters(array_view<const effect_setting> settings) {
-    parameters p;
-    for (std::size_t i = 0; i < settings.size(); ++i)
-        p.settings[i] = settings[i].fallback;
-    return p;
-}
-
 }

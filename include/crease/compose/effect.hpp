@@ -64,14 +64,13 @@ constexpr unpacked<Words> unpack(const interface_text& text) {
 
 /// The characters of a program's interface, filled up with zeros.
 template <class Effect, std::size_t Pass>
-inline constexpr auto
-    interface = unpack<(written<Effect, Pass>.interface.size() + 7) / 8>(written<Effect, Pass>.interface);
+inline constexpr auto head = unpack<(written<Effect, Pass>.head.size() + 7) / 8>(written<Effect, Pass>.head);
 
 template <class Effect, std::size_t Pass>
 constexpr auto list_pieces() {
     constexpr const program& own = written<Effect, Pass>;
     std::array<piece, 1 + own.definitions.size()> all{};
-    all[0] = {"interface", {interface<Effect, Pass>.characters, own.interface.size()}};
+    all[0] = {"interface", {head<Effect, Pass>.characters, own.head.size()}};
     for (std::size_t i = 1; i < all.size(); ++i)
         all[i] = piece_of(own.definitions.items[i - 1]);
     return all;
@@ -150,6 +149,10 @@ using all_of = whole<Effect, std::make_index_sequence<planned<Effect>.passes.siz
 
 template <class Effect>
 inline constexpr auto settings = shrink<planned<Effect>.settings.size()>(planned<Effect>.settings);
+
+// A copy of its own, as naming the plan would keep all that the parts describe.
+template <class Effect>
+inline constexpr auto recipe_name = recipe_text(Effect::choices);
 
 /// A text as a template argument.
 template <std::size_t Size>
@@ -231,8 +234,15 @@ struct effect {
 
     /// The effect as data, for a renderer.
     static constexpr effect_view view() {
-        return {passes, resources, settings, composing::planned<effect>.views, features, defaults};
+        return {passes,
+                resources,
+                settings,
+                composing::planned<effect>.views,
+                features,
+                defaults,
+                composing::recipe_name<effect>.view()};
     }
+    /// The same, without a word: an effect is passed where its data is asked for.
     constexpr operator effect_view() const { return view(); }
 };
 

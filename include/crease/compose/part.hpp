@@ -15,24 +15,27 @@ namespace crease {
 
 /// An integer that a part takes as a template argument; in GLSL crease_<part>_<name>.
 struct number {
-    std::string_view name;
-    int least, most; ///< inclusive
-    int fallback;    ///< where a recipe gives none
-    std::string_view meaning;
+    std::string_view name;    ///< e.g. "steps"
+    int least;                ///< the least value allowed
+    int most;                 ///< the greatest value allowed
+    int fallback;             ///< where a recipe gives none
+    std::string_view meaning; ///< in a few words
 };
 
 /// A real number that a host may change each frame; in GLSL crease_<part>_<name>.
 struct setting {
-    std::string_view name;
-    float fallback;
-    float least, most; ///< inclusive
-    std::string_view meaning;
-    bool shared = false; ///< one for all parts of the effect that name it and share it; crease_<name>
+    std::string_view name;    ///< e.g. "bias"
+    float fallback;           ///< what the part recommends
+    float least;              ///< the least value allowed
+    float most;               ///< the greatest value allowed
+    std::string_view meaning; ///< in a few words, with the unit
+    bool shared = false;      ///< one for all parts of the effect that name it and share it; crease_<name>
 };
 
 /// Cameras that a part adds to that of the picture.
 struct view_request {
-    unsigned count = 0;
+    unsigned count = 0;    ///< how many
+    int count_number = -1; ///< index of the part's number that says how many more; -1: none
     int divisor = -1; ///< index of the part's number that divides the resolution of their pictures; -1: none
 };
 
@@ -42,21 +45,21 @@ struct view_request {
 /// Where a name is defined more than once, the step's own comes first, then that of the parts in the order of
 /// their roles, and then crease's default.
 struct part {
-    role kind;
-    std::string_view name;    ///< in recipes and as the stem of its file, e.g. "hbao"
-    std::string_view summary; ///< one line
-    std::string_view source;  ///< paper, chapter, algorithm
-    array_view<const glsl_file* const> files{};
-    array_view<const number> numbers{};
-    array_view<const setting> settings{};
-    array_view<const resource> resources{};
-    array_view<const step> steps{};
-    array_view<const trait* const> needs{};
-    array_view<const trait* const> offers{};
-    array_view<const role> required_roles{}; ///< roles, else absent, of which the effect must have a part
-    view_request further_views{};
-    std::string_view extension{}; ///< of GLSL, that its text needs
-    device_features features{};   ///< that it requires
+    role kind;                                  ///< what it does in an effect
+    std::string_view name;                      ///< in recipes and as the stem of its file, e.g. "hbao"
+    std::string_view summary;                   ///< one line
+    std::string_view source;                    ///< paper, chapter, algorithm
+    array_view<const glsl_file* const> files{}; ///< its GLSL
+    array_view<const number> numbers{};         ///< whole numbers: specialization constants
+    array_view<const setting> settings{};       ///< real numbers that a host may change each frame
+    array_view<const resource> resources{};     ///< images and buffers that it reads or fills
+    array_view<const step> steps{};             ///< passes of its own beside the main pass
+    array_view<const trait* const> needs{};     ///< that the part of another role must offer
+    array_view<const trait* const> offers{};    ///< that others may need
+    array_view<const role> required_roles{};    ///< roles, else absent, of which the effect must have a part
+    view_request further_views{};               ///< cameras that it adds
+    std::string_view extension{};               ///< of GLSL, that its text needs
+    device_features features{};                 ///< that it requires
 };
 
 /// The most numbers that a part may take.
@@ -64,8 +67,8 @@ inline constexpr std::size_t most_numbers = 4;
 
 /// A part with its numbers: what a template argument of `effect` or a word of a recipe comes down to.
 struct choice {
-    const part* what = nullptr;
-    int numbers[most_numbers]{};
+    const part* what = nullptr;  ///< static
+    int numbers[most_numbers]{}; ///< in the order of `part::numbers`
 
     /// A number by its name; `otherwise` where the part takes none of that name.
     constexpr int number_of(std::string_view name, int otherwise = 0) const {
@@ -98,6 +101,13 @@ struct shape_of {
     constexpr bool offers(const trait* wanted) const {
         for (const choice& c : parts)
             if (has(c.what->offers, wanted))
+                return true;
+        return false;
+    }
+    /// Whether any part of the effect needs a trait of another.
+    constexpr bool needs(const trait* wanted) const {
+        for (const choice& c : parts)
+            if (has(c.what->needs, wanted))
                 return true;
         return false;
     }

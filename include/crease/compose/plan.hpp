@@ -119,15 +119,24 @@ constexpr void add_settings(plan& p, const choice& c) {
     }
 }
 
+/// How often a step runs for a camera: where it runs for further levels, as often as what it writes has them.
+constexpr unsigned runs_of(const plan& p, const step& s) {
+    if (!s.further_levels)
+        return static_cast<unsigned>(s.times);
+    const int at = s.writes.empty() ? -1 : p.index_of(s.writes[0], 0);
+    const unsigned levels = at < 0 ? 1 : p.resources[static_cast<std::size_t>(at)].levels;
+    return levels > s.level ? levels - s.level : 0;
+}
+
 /// The steps of a part that run before the main pass or after the last filter.
 constexpr void add_steps(plan& p, const choice& owner, bool after, unsigned view_divisor) {
     for (const step& s : owner.what->steps) {
         if (stands_before(p, owner) || s.kind == step_kind::result || s.after != after ||
             owner.numbers[0] < s.from)
             continue;
-        const unsigned views = s.per_view ? p.views : 1;
-        for (unsigned i = 0; i < views * static_cast<unsigned>(s.times); ++i) {
-            planned_pass pass{.what = &s, .owner = owner, .view = i / static_cast<unsigned>(s.times)};
+        const unsigned views = s.per_view ? p.views : 1, runs = runs_of(p, s);
+        for (unsigned i = 0; i < views * runs; ++i) {
+            planned_pass pass{.what = &s, .owner = owner, .view = i / runs};
             pass.stage = s.kind == step_kind::geometry ? stage_kind::geometry : stage_kind::compute;
             for (std::string_view name : s.writes) {
                 const int at = p.index_of(name, pass.view);
@@ -140,6 +149,7 @@ constexpr void add_steps(plan& p, const choice& owner, bool after, unsigned view
                 pass.size = p.resources[pass.outputs[0]].size;
             if (pass.view > 0)
                 pass.size = {.divisor = view_divisor};
+            pass.size.level = s.level + (s.further_levels ? i % runs : 0);
             if (pass.outputs.cut)
                 p.refused = {rules::few_passes, owner.what->name};
             p.passes.add(pass);
@@ -208,9 +218,12 @@ constexpr plan make_plan(array_view<const choice> choices) {
                 p.parts.add(c);
     unsigned view_divisor = 1;
     for (const choice& c : p.parts) {
-        p.views += c.what->further_views.count;
-        if (c.what->further_views.divisor >= 0)
-            view_divisor = static_cast<unsigned>(c.numbers[c.what->further_views.divisor]);
+        const view_request& further = c.what->further_views;
+        p.views += further.count;
+        if (further.count_number >= 0)
+            p.views += static_cast<unsigned>(c.numbers[further.count_number]);
+        if (further.divisor >= 0)
+            view_divisor = static_cast<unsigned>(c.numbers[further.divisor]);
         planning::add_settings(p, c);
     }
     p.resources.add({.name = "parameters", .kind = resource_kind::block});

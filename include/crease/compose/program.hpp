@@ -16,7 +16,7 @@ using constant_list = fixed_list<constant, 32>;
 
 /// A program before its pieces are joined. Bindings name resources of the plan.
 struct program {
-    interface_text interface;
+    interface_text head; // no `interface`, which <windows.h> defines
     fixed_list<linker::linked, 192> definitions;
     binding_list bindings;
     constant_list constants;
@@ -42,8 +42,7 @@ constexpr file_list files_of(const plan& p, const planned_pass& pass) {
         break;
     }
     for (const choice& c : p.parts)
-        if (c.what->kind != role::filter &&
-            (c.what->kind != role::stage || pass.what->kind == step_kind::result))
+        if (c.what->kind != role::stage || pass.what->kind == step_kind::result)
             for (const glsl_file* file : c.what->files)
                 files.add(file);
     for (const glsl_file* file : core_files)
@@ -80,7 +79,7 @@ public:
         write_accessors();
         write_results();
         out_.definitions = found_.order();
-        out_.cut = found_.is_cut() || out_.interface.is_cut() || out_.bindings.cut || out_.constants.cut;
+        out_.cut = found_.is_cut() || out_.head.is_cut() || out_.bindings.cut || out_.constants.cut;
         return out_;
     }
 
@@ -129,12 +128,18 @@ private:
     constexpr void bind(std::string_view name, std::size_t resource, access how) {
         out_.bindings.add({.name = name, .resource = static_cast<unsigned>(resource), .how = how});
     }
+    constexpr void bind_level(std::string_view name, std::size_t resource, access how, unsigned level) {
+        bind(name, resource, how);
+        if (plan_.resources[resource].levels > 1)
+            out_.bindings[out_.bindings.size() - 1].level = level;
+    }
 
     constexpr access read_access(const resource& r) const {
         if (r.kind == resource_kind::buffer)
             return access::load;
         const bool loads = has(plan_.chosen(role::image_reads).what->offers, &image_loads::value);
-        return r.read == access::load && loads ? access::load : access::sample;
+        // A storage image shows one level.
+        return r.read == access::load && loads && r.levels == 1 ? access::load : access::sample;
     }
 
     constexpr bool uses_block() const {
@@ -157,7 +162,8 @@ private:
             const bool has_copies = !r.further_names.empty();
             const std::size_t own = has_copies ? i + pass_.view : i;
             if (!is_output(own) && r.life != lifetime::output &&
-                (uses(r.name) || uses("load_", r.name) || uses("size_of_", r.name)))
+                (uses(r.name) || uses("load_", r.name) || uses("size_of_", r.name) ||
+                 uses("levels_of_", r.name)))
                 bind(r.name, own, read_access(r));
             if (has_copies)
                 i += plan_.views - 1;
@@ -165,11 +171,13 @@ private:
         if (pass_.input >= 0) {
             const auto input = static_cast<std::size_t>(pass_.input);
             bind("input", input, read_access(plan_.resources[input]));
+        } else if (pass_.what->further_levels && pass_.size.level > 0) {
+            bind_level("input", pass_.outputs[0], access::sample, pass_.size.level - 1);
         }
         for (std::size_t i = 0; i < pass_.outputs.size(); ++i) {
             const unsigned at = pass_.outputs[i];
             if (!is_result_)
-                bind(pass_.what->writes[i], at, pass_.what->how);
+                bind_level(pass_.what->writes[i], at, pass_.what->how, pass_.size.level);
             else
                 bind(i == 0 ? std::string_view("output") : plan_.resources[at].name, at,
                      pass_.stage == stage_kind::compute    ? access::store
@@ -224,7 +232,7 @@ private:
     }
 
     constexpr void write_head() {
-        interface_text& text = out_.interface;
+        interface_text& text = out_.head;
         text << "// " << plan_.recipe.view() << ", pass " << pass_.what->name << "; crease " << version
              << ", SPDX-License-Identifier: MIT-0\n";
         if (has_main_)
@@ -252,15 +260,15 @@ private:
     }
 
     constexpr void write_constant(std::string_view part, std::string_view name, int value) {
-        out_.interface << "const int crease_" << part << (part.empty() ? "" : "_") << name << " = " << value
-                       << ";\n";
+        out_.head << "const int crease_" << part << (part.empty() ? "" : "_") << name << " = " << value
+                  << ";\n";
     }
     constexpr void write_constants() {
         const std::size_t first = pass_.stage == stage_kind::compute ? 2 : 0;
         for (std::size_t i = first; i < out_.constants.size(); ++i) {
             const constant& c = out_.constants[i];
             if (is_vulkan_)
-                out_.interface << "layout(constant_id = " << c.id << ") ";
+                out_.head << "layout(constant_id = " << c.id << ") ";
             write_constant(c.part, c.number, c.value);
         }
         for (const step_constant& c : pass_.what->constants) {
@@ -274,14 +282,14 @@ private:
             write_constant("", "input_divisor", static_cast<int>(pass_.input_divisor));
         // A program for all cameras begins with the first and turns to the others itself.
         if (uses("view_index"))
-            out_.interface << (is_result_ && plan_.views > 1 ? "" : "const ")
-                           << "int crease_view_index = " << pass_.view << ";\n";
+            out_.head << (is_result_ && plan_.views > 1 ? "" : "const ")
+                      << "int crease_view_index = " << pass_.view << ";\n";
     }
 
     constexpr void write_place(const binding& b) {
         if (is_vulkan_)
-            out_.interface << "set = " << b.set << ", ";
-        out_.interface << "binding = " << b.slot;
+            out_.head << "set = " << b.set << ", ";
+        out_.head << "binding = " << b.slot;
     }
 
     static constexpr const char* prefix_of(const resource& r) {
@@ -292,7 +300,7 @@ private:
         const resource& r = plan_.resources[b.resource];
         const char* prefix = prefix_of(r);
         const char* shape = r.samples > 1 ? "2DMS" : r.arrayed ? "2DArray" : "2D";
-        interface_text& text = out_.interface;
+        interface_text& text = out_.head;
         if (r.kind == resource_kind::buffer) {
             text << "layout(std430, ";
             write_place(b);
@@ -318,7 +326,7 @@ private:
     constexpr void write_block() {
         if (out_.bindings.size() == 0 || out_.bindings[0].how != access::uniform)
             return;
-        interface_text& text = out_.interface;
+        interface_text& text = out_.head;
         text << "\nstruct crease_view_parameters {\n    vec4 from_texel;\n    vec2 depth_unpack;\n"
                 "    float far_depth;\n    float guard;\n    vec2 resolution;\n    vec2 texel_size;\n};\n\n"
                 "layout(std140, ";
@@ -348,31 +356,41 @@ private:
     }
     constexpr void write_setting(const effect_setting& s) {
         if (!s.shared)
-            out_.interface << s.part << "_";
-        out_.interface << s.name;
+            out_.head << s.part << "_";
+        out_.head << s.name;
     }
 
     // How a program reads what a pass writes: the one place that knows of image loads and texel fetches.
     constexpr void write_accessors() {
-        interface_text& text = out_.interface;
+        interface_text& text = out_.head;
         for (const binding& b : out_.bindings) {
             const resource& r = plan_.resources[b.resource];
             const bool is_image = b.how != access::sample;
+            const bool has_levels = r.levels > 1 && b.level == binding::all_levels;
             const char* texel = r.arrayed ? "ivec3" : "ivec2";
             if (uses("load_", b.name))
                 text << "\n"
-                     << prefix_of(r) << "vec4 crease_load_" << b.name << "(" << texel << " texel) { return "
+                     << prefix_of(r) << "vec4 crease_load_" << b.name << "(" << texel
+                     << (has_levels ? " texel, int level) { return " : " texel) { return ")
                      << (is_image ? "imageLoad(crease_" : "texelFetch(crease_") << b.name
-                     << (is_image ? ", texel); }\n" : ", texel, 0); }\n");
+                     << (is_image     ? ", texel); }\n"
+                         : has_levels ? ", texel, level); }\n"
+                                      : ", texel, 0); }\n");
             if (uses("size_of_", b.name))
-                text << "\nivec2 crease_size_of_" << b.name << "() { return "
+                text << "\nivec2 crease_size_of_" << b.name
+                     << (has_levels ? "(int level) { return " : "() { return ")
                      << (is_image ? "imageSize(crease_" : "textureSize(crease_") << b.name
-                     << (is_image ? ").xy; }\n" : ", 0).xy; }\n");
+                     << (is_image     ? ").xy; }\n"
+                         : has_levels ? ", level).xy; }\n"
+                                      : ", 0).xy; }\n");
+            if (uses("levels_of_", b.name))
+                text << "\nint crease_levels_of_" << b.name << "() { return textureQueryLevels(crease_"
+                     << b.name << "); }\n";
         }
     }
 
     constexpr void write_results() {
-        interface_text& text = out_.interface;
+        interface_text& text = out_.head;
         if (uses("build_size"))
             text << "#define crease_build_size imageSize(crease_" << pass_.what->writes[0] << ").xy\n";
         if (!uses("write"))

@@ -11,8 +11,7 @@ namespace crease {
 /// The parts of an effect chosen at run time, from text or from values, or the reason why they make none.
 ///
 /// The text is `SAMPLER/DEPTH/ESTIMATOR` and then `/PART` for each filter, in the order in which they run,
-/// and for each view part, stage or dialect that is not the default. A part is its name and, where it takes
-/// numbers,
+/// and for each other part that is not the default. A part is its name and, where it takes numbers,
 /// `:NxN...`; without them it has its defaults: `directions:8x4/single_layer/hbao/bilateral`.
 class recipe {
 public:
@@ -42,6 +41,7 @@ public:
     /// One sentence that says why not; empty where they do. The same as the static assertion of `effect`.
     constexpr std::string_view error() const { return error_.view(); }
 
+    /// The parts with their numbers, in the order of the text; they live as long as the recipe.
     constexpr array_view<const choice> choices() const { return choices_; }
 
     /// The recipe as text, with all numbers.

@@ -29,8 +29,10 @@ enum class role : unsigned char {
     dialect          ///< which GLSL it is written in
 };
 
+/// How many roles there are.
 inline constexpr std::size_t role_count = static_cast<std::size_t>(role::dialect) + 1;
 
+/// The role in words, as in "layer traversal".
 constexpr std::string_view name_of(role r) {
     constexpr std::string_view names[] = {
         "projection", "depth encoding",  "normals",   "noise",        "further views",

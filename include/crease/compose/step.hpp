@@ -23,26 +23,30 @@ enum class step_kind : unsigned char {
 
 /// A `const int` of one step; in GLSL crease_<part>_<name>.
 struct step_constant {
-    std::string_view name;
-    int value;
+    std::string_view name; ///< without the part's
+    int value;             ///< in every program of the step
     std::string_view of{}; ///< takes the place of the part's name, where parts share the GLSL
 };
 
 /// A pass as a part describes it. Steps of all kinds but `result` run before the main pass, or after the last
 /// filter; those of one part in their order, the parts in the order of their roles.
 struct step {
-    std::string_view name;                      ///< of the pass
-    array_view<const glsl_file* const> files{}; ///< its own GLSL, which stands before that of the parts
-    step_kind kind = step_kind::result;
-    bool after = false; ///< whether it runs after the last filter
-    array_view<const step_constant> constants{};
+    std::string_view name;                       ///< of the pass
+    array_view<const glsl_file* const> files{};  ///< its own GLSL, which stands before that of the parts
+    step_kind kind = step_kind::result;          ///< what its GLSL defines, and what runs it
+    bool after = false;                          ///< whether it runs after the last filter
+    array_view<const step_constant> constants{}; ///< of its program alone
     array_view<const std::string_view>
-        writes{};                            ///< resources of the effect's parts that it fills, of one size
-    access how = access::store;              ///< how it fills them
-    int group_width = 16, group_height = 16; ///< of a compute pass that is no result, invocations
-    int from = 0;                            ///< the part's first number from which on the step is there
-    int times = 1;                           ///< how often it runs, one after the other
-    bool per_view = false;                   ///< whether it runs once for each camera
+        writes{};                ///< resources of the effect's parts that it fills, of one size
+    access how = access::store;  ///< how it fills them
+    int group_width = 16;        ///< width of the workgroup, invocations, where `kind` is not `result`
+    int group_height = 16;       ///< height, likewise
+    int from = 0;                ///< the part's first number from which on the step is there
+    int times = 1;               ///< how often it runs, one after the other
+    unsigned level = 0;          ///< mip level that it writes
+    bool further_levels = false; ///< whether it runs once for each level from that on, where it reads the one
+                                 ///< before by `crease_load_input`
+    bool per_view = false;       ///< whether it runs once for each camera
     bool full_size_input = false; ///< of a filter, whether its input must be as large as the picture
     int upsampling = -1; ///< of a filter, index of the number by which its output is larger; -1: none
 };

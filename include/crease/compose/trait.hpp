@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+/// @file
+/// What parts require of each other.
+
 #include <crease/compose/role.hpp>
 #include <crease/effect/array_view.hpp>
 
@@ -18,10 +21,11 @@ struct trait {
 /// A list of traits, as a type and as the data in `part::needs` and `part::offers`.
 template <class... Traits>
 struct traits {
-    static constexpr const trait* values[] = {&Traits::value...};
-    static constexpr array_view<const trait* const> list{values};
+    static constexpr const trait* values[] = {&Traits::value...}; ///< the traits as data
+    static constexpr array_view<const trait* const> list{values}; ///< a view of them
 };
 
+/// Whether a list has a trait.
 constexpr bool has(array_view<const trait* const> list, const trait* wanted) {
     for (const trait* t : list)
         if (t == wanted)

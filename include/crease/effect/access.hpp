@@ -14,12 +14,12 @@ enum class access : unsigned char {
     result      ///< the return value of a function; has no binding
 };
 
-/// Whether a pass writes what it touches so.
+/// Whether a pass that touches a resource so writes it.
 constexpr bool writes(access how) {
     return how != access::uniform && how != access::sample && how != access::load;
 }
 
-/// Whether what is touched so has a descriptor.
+/// Whether a resource that is touched so has a descriptor.
 constexpr bool has_descriptor(access how) {
     return how != access::attachment && how != access::result;
 }

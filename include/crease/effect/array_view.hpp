@@ -9,11 +9,13 @@ namespace crease {
 /// costs a compiler milliseconds for each type and length of array that it is made of.
 template <class Item>
 struct array_view {
-    Item* items = nullptr;
-    std::size_t count = 0;
+    Item* items = nullptr; ///< the first of them
+    std::size_t count = 0; ///< how many
 
     constexpr array_view() = default;
+    /// Of `how_many` items that stand one after the other.
     constexpr array_view(Item* first, std::size_t how_many) : items(first), count(how_many) {}
+    /// Of an array in C++.
     template <std::size_t Count>
     constexpr array_view(Item (&all)[Count]) : items(all), count(Count) {}
     /// Of a list with `data()` and `size()`: a std::array, std::vector or std::span.
@@ -21,6 +23,8 @@ struct array_view {
     requires requires(List& all) { static_cast<Item*>(all.data()); }
     constexpr array_view(List& all) : items(all.data()), count(all.size()) {}
 
+    /// As a std::span has them; an index must be less than the size.
+    /// @{
     constexpr Item* begin() const { return items; }
     constexpr Item* end() const { return items + count; }
     constexpr Item* data() const { return items; }
@@ -29,6 +33,7 @@ struct array_view {
     constexpr Item& operator[](std::size_t i) const { return items[i]; }
     constexpr Item& front() const { return items[0]; }
     constexpr Item& back() const { return items[count - 1]; }
+    /// @}
 };
 
 }

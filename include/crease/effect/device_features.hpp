@@ -9,12 +9,11 @@ struct device_features {
     bool extended_storage_formats = false;
     /// Vulkan: fragmentStoresAndAtomics. Core in OpenGL 4.3.
     bool fragment_stores_and_atomics = false;
-    /// Arithmetic of subgroups in compute shaders.
+    /// Subgroup arithmetic in compute shaders: VK_SUBGROUP_FEATURE_ARITHMETIC_BIT.
     bool subgroup_arithmetic = false;
-    /// Sums of the sample counts of depth images that are drawn to and sampled, e.g. 4 | 8; 0: none.
+    /// Sample counts of depth images that are drawn to and sampled, or-ed together, as in 4 | 8; 0: none.
     unsigned depth_samples = 0;
-    /// Of these, those whose samples can be placed at the centre of a texel: Vulkan's
-    /// VK_EXT_sample_locations.
+    /// The same of depth images whose samples all lie at the centre of the texel: VK_EXT_sample_locations.
     unsigned centred_depth_samples = 0;
 
     /// Whether a device that has these features can run what requires `wanted`.
@@ -34,6 +33,7 @@ struct device_features {
         centred_depth_samples |= more.centred_depth_samples;
         return *this;
     }
+    /// Member by member.
     constexpr bool operator==(const device_features&) const = default;
 };
 

@@ -9,10 +9,12 @@ namespace crease {
 /// Text of at most `Capacity` characters in place. What does not fit is left out, and `cut` says so.
 template <std::size_t Capacity>
 struct fixed_text {
-    char characters[Capacity]{};
-    std::size_t count = 0;
-    bool cut = false;
+    char characters[Capacity]{}; ///< of which the first `count` are the text's
+    std::size_t count = 0;       ///< characters that are there
+    bool cut = false;            ///< whether something was left out
 
+    /// Adds text, or a number in decimal, at the end.
+    /// @{
     constexpr fixed_text& operator<<(std::string_view text) {
         // Plain indices: a compiler evaluates this for each character of a program.
         const char* from = text.data();
@@ -40,6 +42,8 @@ struct fixed_text {
         return *this << std::string_view(digits + first, 12 - first);
     }
     constexpr fixed_text& operator<<(unsigned value) { return *this << static_cast<int>(value); }
+    /// @}
+    /// The text so far, which lives as long as this.
     constexpr std::string_view view() const { return {characters, count}; }
 };
 

@@ -12,6 +12,7 @@ enum class format : unsigned char {
     rgba8_unorm,
     r32_uint,
     rg32_uint,
+    rgba32_uint,
     r32_float,
     rg32_float,
     rgba16_float,
@@ -21,18 +22,20 @@ enum class format : unsigned char {
 
 /// What GLSL and a device must know of a format.
 struct format_facts {
-    std::string_view name;
+    std::string_view name;      ///< as in `format`
     std::string_view glsl;      ///< in the layout of a storage image; empty where there are none
     bool whole_numbers = false; ///< texels are unsigned integers
     bool extended = false;      ///< storing needs shaderStorageImageExtendedFormats
 };
 
+/// In the order of `format`.
 inline constexpr format_facts facts_of_formats[] = {
     {"none", ""},
     {"r8_unorm", "r8", false, true},
     {"rgba8_unorm", "rgba8"},
     {"r32_uint", "r32ui", true},
     {"rg32_uint", "rg32ui", true, true},
+    {"rgba32_uint", "rgba32ui", true},
     {"r32_float", "r32f"},
     {"rg32_float", "rg32f", false, true},
     {"rgba16_float", "rgba16f"},
@@ -40,6 +43,7 @@ inline constexpr format_facts facts_of_formats[] = {
     {"d32_float", ""},
 };
 
+/// What GLSL and a device must know of `f`.
 constexpr const format_facts& facts_of(format f) {
     return facts_of_formats[static_cast<unsigned>(f)];
 }

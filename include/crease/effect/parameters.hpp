@@ -12,38 +12,42 @@
 
 namespace crease {
 
-/// The most cameras of an effect beside that of the picture, and the most settings of its parts.
-inline constexpr std::size_t most_further_views = 3, most_settings = 24;
+/// The most cameras of an effect beside that of the picture.
+inline constexpr std::size_t most_further_views = 3,
+                             most_settings = 24; ///< of the parts of an effect, together
 
 /// A camera beside that of the picture.
 struct further_view {
-    view_parameters view;
+    view_parameters view; ///< of this camera, whose picture may be smaller than the first's
     float from_first[16] = {1, 0, 0, 0, 0, 1, 0, 0,
                             0, 0, 1, 0, 0, 0, 0, 1}; ///< column-major, from the view space of the picture's
                                                      ///< camera to that of this one
 
+    /// Member by member.
     constexpr bool operator==(const further_view&) const = default;
 };
 
-/// What a host gives an effect each frame; `write_block` makes the bytes of the uniform block of it.
+/// What a host gives an effect each frame; `write_block` turns it into the bytes of the uniform block.
 struct parameters {
-    view_parameters view; ///< of the picture
-    further_view further_views[most_further_views];
-    float radius = 1;                ///< AO radius R, view-space units, >= 0
-    std::uint32_t frame = 0;         ///< index that changes the per-pixel randomness
-    float settings[most_settings]{}; ///< in the order of `effect_view::settings`; see `set`
+    view_parameters view;                           ///< of the picture
+    further_view further_views[most_further_views]; ///< the first `effect_view::views` - 1 count
+    float radius = 1;                               ///< AO radius R, view-space units, >= 0
+    std::uint32_t frame = 0;                        ///< of the picture; another gives other noise
+    float settings[most_settings]{};                ///< in the order of `effect_view::settings`; see `set`
 
+    /// Member by member.
     constexpr bool operator==(const parameters&) const = default;
 };
 
 /// A setting of an effect, as its parts describe it.
 struct effect_setting {
-    std::string_view part; ///< that owns it
-    std::string_view name;
-    float fallback;    ///< what the part recommends
-    float least, most; ///< inclusive
-    std::string_view meaning;
-    bool shared; ///< by all parts of the effect that name it
+    std::string_view part;    ///< that owns it
+    std::string_view name;    ///< e.g. "bias"
+    float fallback;           ///< what the part recommends
+    float least;              ///< the least value allowed
+    float most;               ///< the greatest value allowed
+    std::string_view meaning; ///< in a few words, with the unit
+    bool shared;              ///< by all parts of the effect that name it
 
     /// Whether `wanted` names it: `name` or `part.name`.
     constexpr bool is(std::string_view wanted) const {
@@ -78,13 +82,32 @@ constexpr float get(const parameters& p, array_view<const effect_setting> settin
     return 0;
 }
 
+/// The parameters with each part's recommended settings, and no view yet.
+constexpr parameters default_parameters(array_view<const effect_setting> settings) {
+    parameters p;
+    for (std::size_t i = 0; i < settings.size(); ++i)
+        p.settings[i] = settings[i].fallback;
+    return p;
+}
+
+/// Where in the uniform block the radius lies, in bytes; the frame and then the settings follow, 4 bytes
+/// each.
+/// @param views  cameras, that of the picture included, > 0
+constexpr std::size_t radius_offset(std::size_t views) {
+    return views * sizeof(view_parameters) + (views - 1) * sizeof(further_view::from_first);
+}
+
+/// Where in the uniform block a setting lies, in bytes.
+/// @param index  of `effect_view::settings`
+constexpr std::size_t setting_offset(std::size_t views, std::size_t index) {
+    return radius_offset(views) + 8 + index * sizeof(float);
+}
+
 /// Bytes of the uniform block, std140: the cameras, the matrices of those beside the picture's, the radius,
 /// the frame and the settings; a multiple of 16.
 /// @param views  cameras, that of the picture included, > 0
 constexpr std::size_t block_size(std::size_t views, std::size_t settings) {
-    const std::size_t bytes = views * sizeof(view_parameters) +
-                              (views - 1) * sizeof(further_view::from_first) + 8 + settings * sizeof(float);
-    return (bytes + 15) / 16 * 16;
+    return (setting_offset(views, settings) + 15) / 16 * 16;
 }
 
 /// Writes the uniform block.

@@ -5,6 +5,7 @@
 #include <crease/effect/array_view.hpp>
 #include <crease/effect/extent.hpp>
 
+#include <cstdint>
 #include <string_view>
 
 namespace crease {
@@ -17,6 +18,7 @@ enum class stage_kind : unsigned char {
     geometry   ///< no `main`: functions that the fragment shader of the host's geometry calls
 };
 
+/// Which GLSL a pass is written in.
 enum class dialect_kind : unsigned char {
     vulkan, ///< GLSL 450 for Vulkan 1.1 and up
     opengl  ///< GLSL 430 for OpenGL 4.3 and up
@@ -31,12 +33,16 @@ enum class dispatch : unsigned char {
 
 /// One resource that a pass uses, and where it is bound.
 struct binding {
+    /// The `level` of a binding of a whole image.
+    static constexpr unsigned all_levels = ~0u;
+
     std::string_view name; ///< "parameters", "input", "output" or the resource's; in GLSL crease_<name>
     unsigned resource = 0; ///< index into the effect's resources
-    access how = access::uniform;
-    unsigned set = 0;  ///< Vulkan descriptor set; 0 in OpenGL
+    access how = access::uniform; ///< what the pass does with it
+    unsigned set = 0;             ///< Vulkan descriptor set; 0 in OpenGL
     unsigned slot = 0; ///< Vulkan binding; in OpenGL the unit, counted for each of blocks, textures, images
                        ///< and buffers
+    unsigned level = all_levels; ///< of an image with mip levels: the one that is bound
 };
 
 /// A number of a part: a specialization constant in Vulkan GLSL, a `const int` in OpenGL GLSL.
@@ -59,29 +65,33 @@ struct piece {
 /// A geometry pass has no `main`: its text is `void crease_capture(vec3 anchor)` and what it calls, for the
 /// fragment shader of geometry that the host draws without culling.
 struct pass {
-    std::string_view name; ///< e.g. "visibility", "bilateral_x"
-    stage_kind stage = stage_kind::compute;
-    dialect_kind dialect = dialect_kind::vulkan;
-    array_view<const piece> pieces;        ///< in order; joined they are the GLSL program
-    array_view<const piece> vertex_pieces; ///< the vertex shader of a fragment pass; empty otherwise
-    array_view<const binding> bindings;    ///< the block of parameters first, where it is used; outputs last
+    std::string_view name;                       ///< e.g. "visibility", "bilateral_x"
+    stage_kind stage = stage_kind::compute;      ///< what it runs as
+    dialect_kind dialect = dialect_kind::vulkan; ///< which GLSL it is
+    array_view<const piece> pieces;              ///< in order; joined they are the GLSL program
+    array_view<const piece> vertex_pieces;       ///< the vertex shader of a fragment pass; empty otherwise
+    array_view<const binding> bindings; ///< the block of parameters first, where it is used; outputs last
     array_view<const constant>
         constants; ///< of a compute pass the first two are the workgroup's width and height
-    extent size;   ///< of the outputs
-    dispatch covers = dispatch::texels;
-    unsigned view = 0; ///< index of the camera whose picture it makes
+    extent size;   ///< of the outputs; one of a mip level that the image has not is left out
+    dispatch covers = dispatch::texels;      ///< of a compute pass, which workgroups run
+    unsigned view = 0;                       ///< index of the camera whose picture it makes
+    array_view<const std::uint32_t> spirv{}; ///< words made beforehand, as by `crease_add_shader`, in place
+                                             ///< of the pieces; empty: compile those
+    array_view<const std::uint32_t> vertex_spirv{}; ///< the same of a fragment pass's vertex shader
 
-    /// Workgroup width and height in invocations; 0 where the pass is not compute.
+    /// Width of the workgroup in invocations; 0 where the pass is not compute.
     constexpr unsigned group_width() const {
         return stage == stage_kind::compute ? static_cast<unsigned>(constants[0].value) : 0;
     }
+    /// Height of the workgroup in invocations; 0 where the pass is not compute.
     constexpr unsigned group_height() const {
         return stage == stage_kind::compute ? static_cast<unsigned>(constants[1].value) : 0;
     }
 
-    /// Of a geometry pass, whether it fills a multisampled depth attachment, with the host's depth test and
-    /// clear value, whose sample mask the shader sets, and the depth too where the resource's samples are not
-    /// `centred`. Else it draws without attachments and without depth test.
+    /// Whether a geometry pass draws to a multisampled depth attachment, with the host's depth test and clear
+    /// value; the shader sets the sample mask, and the depth too where the resource is not `centred`. Other
+    /// geometry passes draw without attachments and without a depth test.
     constexpr bool to_attachment() const { return bindings.back().how == access::attachment; }
 };
 

@@ -22,10 +22,11 @@ struct matrix_convention {
     bool row_major = false;   ///< rows one after the other, for column vectors; else columns, as GLM has them
 };
 
-/// Why a projection is refused; `error` is empty where it is not.
+/// Whether a projection was taken, or why not.
 struct [[nodiscard]] projection_result {
-    std::string_view error{};
+    std::string_view error{}; ///< one sentence; empty where it was taken
 
+    /// Whether it was taken.
     constexpr explicit operator bool() const { return error.empty(); }
 };
 

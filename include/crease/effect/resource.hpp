@@ -34,27 +34,28 @@ struct shape_of;
 
 /// An image, a buffer or the uniform block that passes read or write.
 struct resource {
-    std::string_view name; ///< e.g. "depth"; in GLSL `crease_depth`
-    resource_kind kind = resource_kind::image;
-    format texels = format::none; ///< of an image; for an input what crease recommends: any format that
-                                  ///< samples as float will do
-    std::string_view element{};   ///< of a buffer: the GLSL type of its elements, 4, 8 or 16 bytes: "uint"
-    lifetime life = lifetime::input;
-    extent size{};        ///< of an image; of a buffer so many elements, times `layers`
-    unsigned layers = 1;  ///< of an array image; of a buffer elements for each texel
-    unsigned samples = 1; ///< of a multisampled image
-    bool arrayed = false; ///< an array image, also where it has one layer
-    bool centred = false; ///< all samples of a texel lie at its centre
+    std::string_view name;                     ///< e.g. "depth"; in GLSL `crease_depth`
+    resource_kind kind = resource_kind::image; ///< what it is made of
+    format texels = format::none;    ///< of an image; for an input what crease recommends: any format that
+                                     ///< samples as float will do
+    std::string_view element{};      ///< of a buffer: the GLSL type of its elements, 4, 8 or 16 bytes: "uint"
+    lifetime life = lifetime::input; ///< who fills it, and for how long
+    extent size{};                   ///< of an image; of a buffer so many elements, times `layers`
+    unsigned layers = 1;             ///< of an array image; of a buffer elements for each texel
+    unsigned levels = 1; ///< of an image: mip levels, fewer where its size has no more; 16: down to one texel
+    unsigned samples = 1;                               ///< of a multisampled image
+    bool arrayed = false;                               ///< an array image, also where it has one layer
+    bool centred = false;                               ///< all samples of a texel lie at its centre
     array_view<const std::string_view> further_names{}; ///< where each camera has its own, of the size of its
                                                         ///< picture: names of those beside the picture's
     access read = access::sample;   ///< how passes read it: by a sampler, or texel by texel (load)
-    std::string_view previous_of{}; ///< of a history that is read: the resource that passes write, whose
-                                    ///< content of the frame before it holds
+    std::string_view previous_of{}; ///< of a history that is read: names the resource that passes write; this
+                                    ///< one holds what that held after the frame before
     bool cleared = false;           ///< whether it holds `clear` before the first pass of each frame
     std::uint32_t clear = 0;        ///< bits of each component
     void (*fill)(array_view<std::uint32_t> texels) = nullptr; ///< of a constant: its texels, row after row
     void (*shape)(resource& own, const shape_of& effect) =
-        nullptr; ///< of a part's description: says the size, layers, samples, format or fill by numbers
+        nullptr; ///< in a part's description: sets size, layers, levels, samples, format or fill from numbers
 };
 
 }

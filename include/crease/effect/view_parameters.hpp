@@ -22,6 +22,7 @@ struct view_parameters {
     float resolution[2] = {1, 1}; ///< of the picture, in texels
     float texel_size[2] = {1, 1}; ///< 1 / the size of the depth image, guard band included
 
+    /// Member by member.
     constexpr bool operator==(const view_parameters&) const = default;
 };
 

@@ -9,13 +9,13 @@
 
 namespace crease::spirv {
 
-/// Compiles one stage of Vulkan GLSL to SPIR-V 1.3 for Vulkan 1.1, not optimised.
+/// Compiles one stage of Vulkan GLSL to SPIR-V, not optimised and with the names of its GLSL.
 /// @param pieces  joined in order they are the program; the first begins with `#version`
 /// @param what    names the shader in errors
 /// @throws error  with `file:line: message` of the first mistake, the line being that of the piece's file
-inline words compile(std::span<const piece> pieces, shader_stage stage,
-                     std::string_view what = "the shader") {
-    const auto shader = detail::parse(pieces, stage, dialect_kind::vulkan, what);
+inline words compile(std::span<const piece> pieces, shader_stage stage, std::string_view what = "the shader",
+                     vulkan_version version = vulkan_version::v1_1) {
+    const auto shader = detail::parse(pieces, stage, dialect_kind::vulkan, what, version);
     glslang::TProgram program;
     program.addShader(shader.get());
     detail::link(program, dialect_kind::vulkan, what);
@@ -59,20 +59,25 @@ constexpr shader_stage stage_of(const pass& which) {
 
 namespace crease::spirv {
 
-/// Compiles the compute or fragment shader of a Vulkan pass; see compile() above.
+/// Compiles the compute or fragment shader of a Vulkan pass; see compile() above. One that was compiled
+/// beforehand is given as it is, whatever the version.
 /// @throws error  also where the pass has no main (stage `functions`) or is for OpenGL
-inline words compile(const pass& which) {
+inline words compile(const pass& which, vulkan_version version = vulkan_version::v1_1) {
     detail::expect_program(which, dialect_kind::vulkan);
-    return compile(which.pieces, detail::stage_of(which), detail::title_of(which));
+    if (!which.spirv.empty())
+        return {which.spirv.begin(), which.spirv.end()};
+    return compile(which.pieces, detail::stage_of(which), detail::title_of(which), version);
 }
 
 /// Compiles the vertex shader of a fragment pass; see compile() above.
 /// @throws error  also where the pass has no vertex shader
-inline words compile_vertex(const pass& which) {
+inline words compile_vertex(const pass& which, vulkan_version version = vulkan_version::v1_1) {
     detail::expect_program(which, dialect_kind::vulkan);
+    if (!which.vertex_spirv.empty())
+        return {which.vertex_spirv.begin(), which.vertex_spirv.end()};
     if (which.vertex_pieces.empty())
         throw error(detail::title_of(which) + " has no vertex shader");
-    return compile(which.vertex_pieces, shader_stage::vertex, detail::title_of(which));
+    return compile(which.vertex_pieces, shader_stage::vertex, detail::title_of(which), version);
 }
 
 /// Checks a pass for OpenGL as a driver would begin to: each stage parses as the GLSL of its `#version`, and

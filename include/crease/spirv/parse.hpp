@@ -3,6 +3,7 @@
 
 #include <crease/effect/effect_view.hpp>
 #include <crease/spirv/module.hpp>
+#include <crease/spirv/vulkan_version.hpp>
 
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
@@ -45,6 +46,20 @@ constexpr EShLanguage language_of(shader_stage stage) {
     }
 }
 
+/// What a version of Vulkan takes: the version itself and that of SPIR-V.
+struct glslang_target {
+    glslang::EShTargetClientVersion vulkan;
+    glslang::EShTargetLanguageVersion spirv;
+};
+
+constexpr glslang_target target_of(vulkan_version version) {
+    constexpr glslang_target targets[] = {{glslang::EShTargetVulkan_1_0, glslang::EShTargetSpv_1_0},
+                                          {glslang::EShTargetVulkan_1_1, glslang::EShTargetSpv_1_3},
+                                          {glslang::EShTargetVulkan_1_2, glslang::EShTargetSpv_1_5},
+                                          {glslang::EShTargetVulkan_1_3, glslang::EShTargetSpv_1_6}};
+    return targets[static_cast<unsigned>(version)];
+}
+
 constexpr EShMessages rules_of(dialect_kind dialect) {
     return dialect == dialect_kind::vulkan ? static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules)
                                            : EShMsgDefault;
@@ -69,11 +84,12 @@ inline std::string readable(std::string_view log) {
     return text;
 }
 
-/// Parses one stage. Vulkan GLSL is parsed for Vulkan 1.1 and SPIR-V 1.3, OpenGL GLSL as its `#version` says.
+/// Parses one stage. Vulkan GLSL is parsed for the version of Vulkan, OpenGL GLSL as its `#version` says.
 /// @param what  names the shader in errors, e.g. "pass 'visibility'"
 /// @throws error  with the line `file:line: message` of the first mistake
 inline std::unique_ptr<glslang::TShader> parse(std::span<const piece> pieces, shader_stage stage,
-                                               dialect_kind dialect, std::string_view what) {
+                                               dialect_kind dialect, std::string_view what,
+                                               vulkan_version version = vulkan_version::v1_1) {
     use_glslang();
     std::vector<std::string> names, texts;
     for (const piece& each : pieces) {
@@ -93,8 +109,9 @@ inline std::unique_ptr<glslang::TShader> parse(std::span<const piece> pieces, sh
                                           static_cast<int>(texts.size()));
     if (dialect == dialect_kind::vulkan) {
         shader->setEnvInput(glslang::EShSourceGlsl, language_of(stage), glslang::EShClientVulkan, 100);
-        shader->setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_1);
-        shader->setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_3);
+        const glslang_target target = target_of(version);
+        shader->setEnvClient(glslang::EShClientVulkan, target.vulkan);
+        shader->setEnvTarget(glslang::EShTargetSpv, target.spirv);
     }
     constexpr int version_if_unsaid = 100;
     if (!shader->parse(GetDefaultResources(), version_if_unsaid, false, rules_of(dialect)))

@@ -24,6 +24,8 @@ constexpr format format_of(spv::ImageFormat of) {
         return format::rgba16_float;
     case spv::ImageFormatRg32ui:
         return format::rg32_uint;
+    case spv::ImageFormatRgba32ui:
+        return format::rgba32_uint;
     case spv::ImageFormatRg32f:
         return format::rg32_float;
     case spv::ImageFormatRgba32f:

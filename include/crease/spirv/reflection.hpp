@@ -25,29 +25,32 @@ enum class scalar_kind : unsigned char { none, boolean, signed_integer, unsigned
 
 /// A member of a block.
 struct block_member {
-    std::string name;
+    std::string name;         ///< in the GLSL
     std::uint32_t offset = 0; ///< bytes
 };
 
 /// A descriptor binding.
 struct bound_resource {
-    std::uint32_t set = 0, slot = 0;
-    std::string name; ///< of the variable; of a block its own, whatever the instance is called
-    binding_kind kind = binding_kind::other;
+    std::uint32_t set = 0;  ///< descriptor set
+    std::uint32_t slot = 0; ///< binding
+    std::string name;       ///< of the variable; of a block its own, whatever the instance is called
+    binding_kind kind = binding_kind::other;   ///< what the descriptor is
     scalar_kind component = scalar_kind::none; ///< what an image's texels are read or written as
     format texels = format::none;              ///< of a storage image, where crease knows its format
-    bool arrayed = false, multisampled = false;
-    bool readable = true, writable = true; ///< a sampled image and a uniform block are never writable
-    std::vector<block_member> members;     ///< of a block
-    std::uint32_t size = 0;                ///< of a block: bytes, rounded up to 16 for a uniform block
+    bool arrayed = false;                      ///< an array image
+    bool multisampled = false;                 ///< a multisampled image
+    bool readable = true;                      ///< whether the module may read it
+    bool writable = true;              ///< whether it may write it; never a sampled image or a uniform block
+    std::vector<block_member> members; ///< of a block
+    std::uint32_t size = 0;            ///< of a block: bytes, rounded up to 16 for a uniform block
 };
 
 /// A specialization constant.
 struct specialization_constant {
-    std::uint32_t id = 0;
+    std::uint32_t id = 0; ///< constant_id
     std::string name; ///< empty where it is a workgroup size that only `local_size_x_id` and the like name
-    scalar_kind type = scalar_kind::none;
-    std::uint32_t value = 0; ///< the default's bits
+    scalar_kind type = scalar_kind::none; ///< its type
+    std::uint32_t value = 0;              ///< the default's bits
 };
 
 /// The workgroup size along one axis.
@@ -58,8 +61,8 @@ struct workgroup_axis {
 
 /// A colour output of a fragment shader.
 struct colour_output {
-    std::uint32_t location = 0;
-    std::string name;
+    std::uint32_t location = 0; ///< of the attachment
+    std::string name;           ///< in the GLSL
 };
 
 /// What runs a module's entry point.
@@ -67,8 +70,8 @@ enum class execution_model : unsigned char { vertex, fragment, compute, other };
 
 /// What a module says of its interface.
 struct reflection {
-    execution_model model = execution_model::other;
-    std::string entry_point;
+    execution_model model = execution_model::other; ///< what runs it
+    std::string entry_point;                        ///< its name, "main"
     std::vector<bound_resource> bindings;           ///< sorted by set and slot
     std::vector<specialization_constant> constants; ///< sorted by id
     std::array<workgroup_axis, 3> workgroup;        ///< x, y, z of a compute shader

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <crease/spirv/module.hpp>
+#include <crease/spirv/vulkan_version.hpp>
 
 #include <spirv-tools/libspirv.hpp>
 
@@ -9,17 +10,12 @@
 #include <string>
 #include <string_view>
 
-namespace crease::spirv {
-
-/// The Vulkan version whose rules a module is held to.
-enum class vulkan_version : unsigned char { v1_1, v1_2, v1_3 };
-
-}
-
 namespace crease::spirv::detail {
 
 constexpr spv_target_env environment_of(vulkan_version version) {
     switch (version) {
+    case vulkan_version::v1_0:
+        return SPV_ENV_VULKAN_1_0;
     case vulkan_version::v1_1:
         return SPV_ENV_VULKAN_1_1;
     case vulkan_version::v1_2:
@@ -49,8 +45,8 @@ inline void validate(std::span<const std::uint32_t> module, vulkan_version versi
     std::string messages;
     tools.SetMessageConsumer(detail::lines_in(messages));
     if (!tools.Validate(module.data(), module.size()))
-        throw error(std::string(what) + " is not valid SPIR-V for Vulkan 1." +
-                    std::to_string(static_cast<int>(version) + 1) + ":" + messages);
+        throw error(std::string(what) + " is not valid SPIR-V for Vulkan " + std::string(name_of(version)) +
+                    ":" + messages);
 }
 
 }

@@ -44,6 +44,7 @@ public:
         mapped_ = static_cast<std::byte*>(mapped);
     }
 
+    /// The buffer itself.
     VkBuffer handle() const { return handle_; }
 
     /// Its content. The host must not touch it while the device uses it.

@@ -8,13 +8,26 @@
 
 namespace crease::vulkan::detail {
 
+inline VkExtent3D extent_of(const image& of, std::uint32_t level) {
+    const image_description& d = of.description();
+    return {std::max(d.width >> level, 1u), std::max(d.height >> level, 1u), 1};
+}
+
 /// @throws error  where crease does not know its texels
-inline std::size_t bytes_in(const image& of) {
+inline std::size_t bytes_in(const image& of, std::uint32_t level) {
     const image_description& d = of.description();
     if (d.texels == format::none)
         throw error("the image '" + d.name + "' holds " + name_of(of.vulkan_format()) +
                     ", which crease does not copy");
-    return std::size_t{d.width} * d.height * d.layers * texel_of(d.texels).bytes;
+    const VkExtent3D size = extent_of(of, level);
+    return std::size_t{size.width} * size.height * d.layers * texel_of(d.texels).bytes;
+}
+
+inline std::size_t bytes_in(const image& of) {
+    std::size_t bytes = 0;
+    for (std::uint32_t level = 0; level < of.levels(); ++level)
+        bytes += bytes_in(of, level);
+    return bytes;
 }
 
 /// @throws error  where the image was not made for it
@@ -23,11 +36,19 @@ inline void expect_made_for(const image& of, VkImageUsageFlags wanted) {
         throw error("the image '" + of.description().name + "' was not made for " + uses_of(wanted));
 }
 
-inline VkBufferImageCopy whole(const image& of) {
-    VkBufferImageCopy region{};
-    region.imageSubresource = {of.range().aspectMask, 0, 0, of.description().layers};
-    region.imageExtent = {of.description().width, of.description().height, 1};
-    return region;
+/// All levels, one after the other.
+inline std::vector<VkBufferImageCopy> whole(const image& of) {
+    std::vector<VkBufferImageCopy> regions;
+    VkDeviceSize at = 0;
+    for (std::uint32_t level = 0; level < of.levels(); ++level) {
+        VkBufferImageCopy region{};
+        region.bufferOffset = at;
+        region.imageSubresource = {of.range().aspectMask, level, 0, of.description().layers};
+        region.imageExtent = extent_of(of, level);
+        regions.push_back(region);
+        at += bytes_in(of, level);
+    }
+    return regions;
 }
 
 inline void expect_count(const image& of, std::size_t wanted, std::size_t given, const std::string& unit) {
@@ -47,7 +68,8 @@ inline void expect_texels(const image& of, format wanted) {
 
 namespace crease::vulkan {
 
-/// Fills an image made for VK_IMAGE_USAGE_TRANSFER_DST: row after row, layer after layer, without gaps.
+/// Fills an image made for VK_IMAGE_USAGE_TRANSFER_DST: row after row, layer after layer, level
+/// after level, without gaps.
 /// @throws error  where the number of bytes is not the image's, or it was not made for that
 inline void upload(device& on, image& to, std::span<const std::byte> bytes) {
     detail::expect_made_for(to, VK_IMAGE_USAGE_TRANSFER_DST_BIT);
@@ -56,9 +78,10 @@ inline void upload(device& on, image& to, std::span<const std::byte> bytes) {
                          "upload of " + to.description().name);
     std::ranges::copy(bytes, staging.bytes().begin());
     on.submit([&](VkCommandBuffer commands) {
-        const VkBufferImageCopy region = detail::whole(to);
+        const std::vector<VkBufferImageCopy> regions = detail::whole(to);
         to.transition(commands, copied_to);
-        vkCmdCopyBufferToImage(commands, staging.handle(), to.handle(), copied_to.layout, 1, &region);
+        vkCmdCopyBufferToImage(commands, staging.handle(), to.handle(), copied_to.layout,
+                               static_cast<std::uint32_t>(regions.size()), regions.data());
     });
 }
 
@@ -83,9 +106,10 @@ inline std::vector<std::byte> download_bytes(device& on, image& from) {
     const buffer staging(on, detail::bytes_in(from), VK_BUFFER_USAGE_TRANSFER_DST_BIT, transfer::from_device,
                          "download of " + from.description().name);
     on.submit([&](VkCommandBuffer commands) {
-        const VkBufferImageCopy region = detail::whole(from);
+        const std::vector<VkBufferImageCopy> regions = detail::whole(from);
         from.transition(commands, copied_from);
-        vkCmdCopyImageToBuffer(commands, from.handle(), copied_from.layout, staging.handle(), 1, &region);
+        vkCmdCopyImageToBuffer(commands, from.handle(), copied_from.layout, staging.handle(),
+                               static_cast<std::uint32_t>(regions.size()), regions.data());
         detail::memory_barrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT,
                                VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT);
     });

@@ -44,9 +44,12 @@ inline void prepare_for(VkCommandBuffer commands, std::span<const binding> of, c
                         VkPipelineStageFlags stage) {
     bool has_buffers = false;
     for (const binding& b : of)
-        if (has_descriptor(b.how) && bound.images[b.resource])
-            bound.images[b.resource]->transition(commands, shader_use_of(b.how, stage));
-        else
+        if (image* used = has_descriptor(b.how) ? bound.images[b.resource] : nullptr) {
+            if (b.level == binding::all_levels)
+                used->transition(commands, shader_use_of(b.how, stage));
+            else
+                used->transition(commands, shader_use_of(b.how, stage), b.level);
+        } else
             has_buffers = has_buffers || (b.resource != 0 && has_descriptor(b.how));
     if (has_buffers)
         memory_barrier(commands, buffer_writers, VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT,
@@ -106,7 +109,9 @@ public:
             VkDescriptorImageInfo texels{};
             VkDescriptorBufferInfo block{};
             if (const image* bound_image = bound.images[b.resource]) {
-                texels = {sampler, bound_image->view(), shader_use_of(b.how, 0).layout};
+                const VkImageView view =
+                    b.level == binding::all_levels ? bound_image->view() : bound_image->view(b.level);
+                texels = {sampler, view, shader_use_of(b.how, 0).layout};
                 write.pImageInfo = &texels;
             } else {
                 block = {bound.buffers[b.resource]->handle(), 0, VK_WHOLE_SIZE};

@@ -14,6 +14,7 @@
 
 namespace crease::vulkan {
 
+/// Which device, and how it is watched.
 struct device_options {
     std::string
         name; ///< part of the device's name; empty: the first discrete GPU, else any GPU, else software
@@ -49,12 +50,17 @@ public:
     device(const device&) = delete;
     device& operator=(const device&) = delete;
 
+    /// As the driver says it.
     std::string name() const { return selected_.properties.deviceName; }
+    /// Of those that effects may require, the ones it has.
     device_features features() const { return features_; }
     /// Whether it is software that runs on a processor, such as lavapipe.
     bool is_processor() const { return selected_.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU; }
+    /// Vulkan's limits of the device.
     const VkPhysicalDeviceLimits& limits() const { return selected_.properties.limits; }
+    /// The logical device.
     VkDevice handle() const { return handle_; }
+    /// The physical device.
     VkPhysicalDevice physical() const { return selected_.physical; }
 
     /// @throws error  that names the features of `wanted` which the device lacks
@@ -93,6 +99,7 @@ public:
         return static_cast<double>((to - from) & mask) * double(selected_.properties.limits.timestampPeriod) *
                1e-6;
     }
+    /// Whether its queue can measure time.
     bool has_timestamps() const { return selected_.timestamp_bits != 0; }
 
 private:

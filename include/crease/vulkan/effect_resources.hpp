@@ -186,6 +186,7 @@ private:
                                                                      .height = size_of(r.size).height,
                                                                      .layers = r.layers,
                                                                      .samples = r.samples,
+                                                                     .levels = r.levels,
                                                                      .arrayed = r.arrayed,
                                                                      .centred = r.centred,
                                                                      .usage = usage});

@@ -4,6 +4,8 @@
 #include <crease/effect/effect_view.hpp>
 #include <crease/vulkan/image.hpp>
 
+#include <algorithm>
+#include <bit>
 #include <string>
 
 namespace crease::vulkan::detail {
@@ -33,6 +35,9 @@ inline void expect_fit(const image_place& place, const image& given) {
     if (has.layers != wanted.layers || has.arrayed != wanted.arrayed || has.samples != wanted.samples)
         throw error(refusal + "it has " + std::to_string(has.layers) + " layers and " +
                     std::to_string(has.samples) + " samples a texel");
+    if (has.levels < wanted.levels && has.levels < std::bit_width(std::max(has.width, has.height)))
+        throw error(refusal + "it has " + std::to_string(has.levels) + " mip levels, not " +
+                    std::to_string(wanted.levels));
     const bool is_small = has.width < place.size.width || has.height < place.size.height;
     const bool differs = has.width != place.size.width || has.height != place.size.height;
     if (is_input ? is_small : differs)

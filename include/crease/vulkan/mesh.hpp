@@ -16,6 +16,7 @@ namespace crease::vulkan {
 /// xyz.
 class mesh {
 public:
+    /// Position xyz and normal xyz.
     static constexpr std::size_t numbers_per_vertex = 6;
 
     /// @param vertices  18 numbers a triangle, at least one triangle
@@ -27,7 +28,9 @@ public:
         std::ranges::copy(std::as_bytes(vertices), vertices_.bytes().begin());
     }
 
+    /// The vertex buffer.
     VkBuffer buffer_handle() const { return vertices_.handle(); }
+    /// Three for each triangle.
     std::uint32_t vertex_count() const { return count_; }
 
 private:

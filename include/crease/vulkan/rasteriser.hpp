@@ -64,6 +64,7 @@ public:
     }
 
     image& depth() { return *depth_; } ///< d32_float
+    /// What the fragment shader wrote to a location.
     image& colour(std::size_t location) { return *colours_.at(location); }
 
 private:

@@ -36,7 +36,7 @@ public:
         for (image* each : attached()) {
             const image_use& use = each == depth_ ? depth_tested : drawn_to;
             attachments.push_back(attachment(*each, use.layout, load));
-            views.push_back(each->view());
+            views.push_back(each->view(0));
             if (each != depth_)
                 colour_places.push_back({static_cast<std::uint32_t>(colour_places.size()), use.layout});
         }

@@ -12,6 +12,7 @@
 
 namespace crease::vulkan {
 
+/// How an effect is run.
 struct runner_options {
     unsigned guard =
         0; ///< width of the guard band around the picture, texels: of depth, normals and captured layers
@@ -22,7 +23,7 @@ struct runner_options {
 
 /// How long a pass took on the device.
 struct pass_time {
-    std::string pass;
+    std::string pass;        ///< its name
     double milliseconds = 0; ///< with the barriers before it; NaN where the device has no timestamps
 };
 
@@ -46,15 +47,17 @@ public:
     runner& operator=(const runner&) = delete;
 
     /// Fills an input, given by its resource's name, with the texels of an image of its declared size, guard
-    /// band included, and format: row after row from the top, layer after layer. Real numbers suit all
-    /// formats but r32_uint; there is one for each component of a texel.
+    /// band included, and format: row after row from the top, layer after layer, level after level.
+    /// Real numbers suit all formats but r32_uint; there is one for each component of a texel.
     /// @throws error  where there is no such input, or the count is another
     void upload(std::string_view name, std::span<const float> numbers) {
         vulkan::upload(device_, resources_.own_input(name), numbers);
     }
+    /// The same for whole numbers: of r32_uint.
     void upload(std::string_view name, std::span<const std::uint32_t> numbers) {
         vulkan::upload(device_, resources_.own_input(name), numbers);
     }
+    /// The same for the bytes of texels of any format.
     void upload(std::string_view name, std::span<const std::byte> bytes) {
         vulkan::upload(device_, resources_.own_input(name), bytes);
     }

@@ -6,6 +6,7 @@
 #include <crease/vulkan/geometry.hpp>
 #include <crease/vulkan/prepared_pass.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -33,7 +34,7 @@ public:
             const pass& each = all()[i];
             if (!shaders.empty())
                 expect_whole(each, shaders[i]);
-            if (each.stage == stage_kind::geometry)
+            if (each.stage == stage_kind::geometry || !has_its_level(each))
                 continue;
             passes_[i] = std::make_unique<prepared_pass>(
                 on, each, resources_.effect().resources, shaders.empty() ? compile(each) : shaders[i],
@@ -78,7 +79,7 @@ public:
     /// @throws error  where a geometry pass draws nothing
     void expect_drawn() const {
         for (std::size_t i = 0; i < all().size(); ++i)
-            if (!passes_[i] && !geometry_[i])
+            if (all()[i].stage == stage_kind::geometry && !geometry_[i])
                 throw error("nothing is drawn in the geometry pass '" + std::string(all()[i].name) +
                             "'; set_geometry says what is");
     }
@@ -93,7 +94,7 @@ public:
         for (std::size_t i = 0; i < all().size(); ++i) {
             if (passes_[i])
                 passes_[i]->record(commands, resources_.bound(), resources_.way());
-            else
+            else if (geometry_[i])
                 geometry_[i]->record(commands, resources_.bound(), resources_.way());
             after_each();
         }
@@ -105,7 +106,7 @@ private:
     constant_values constants_;
     owned_sampler sampler_;
     std::vector<pass_shaders> shaders_;                  ///< that were given
-    std::vector<std::unique_ptr<prepared_pass>> passes_; ///< null for a geometry pass
+    std::vector<std::unique_ptr<prepared_pass>> passes_; ///< null for a geometry pass and one left out
     std::vector<std::unique_ptr<prepared_geometry>> geometry_;
     bool descriptors_are_old_ = true;
 
@@ -120,7 +121,7 @@ private:
             for (std::size_t way = 0; way < resources_.ways(); ++way)
                 if (passes_[i])
                     passes_[i]->write_descriptors(resources_.bound(way), sampler_, way);
-                else
+                else if (geometry_[i])
                     geometry_[i]->write_descriptors(resources_.bound(way), sampler_, way);
         descriptors_are_old_ = false;
     }
@@ -165,6 +166,14 @@ private:
                     (names.empty() ? "none" : names));
     }
 
+    /// Whether the images that a pass writes are large enough to have the mip level that it writes.
+    bool has_its_level(const pass& each) const {
+        return std::ranges::all_of(each.bindings, [this](const binding& b) {
+            return b.level == binding::all_levels ||
+                   b.level < resources_.bound().images[b.resource]->levels();
+        });
+    }
+
     /// The images that a pass writes.
     std::vector<image*> outputs_of(const pass& each) const {
         std::vector<image*> outputs;
@@ -172,7 +181,8 @@ private:
             if (!writes(written.how))
                 continue;
             for (const binding& b : each.bindings)
-                if (!writes(b.how) && b.resource == written.resource)
+                if (!writes(b.how) && b.resource == written.resource &&
+                    (b.level == written.level || b.level == binding::all_levels))
                     throw error("pass '" + std::string(each.name) + "' both reads and writes " +
                                 resources_.quoted(written.resource));
             if (!resources_.is_image(written.resource))
@@ -189,8 +199,9 @@ private:
     }
 
     void expect_size(const pass& each, std::size_t written) const {
-        const VkExtent2D runs = resources_.size_of(each.size),
-                         has = resources_.size_of(resources_.effect().resources[written].size);
+        extent own = resources_.effect().resources[written].size;
+        own.level = each.size.level;
+        const VkExtent2D runs = resources_.size_of(each.size), has = resources_.size_of(own);
         const bool same = runs.width == has.width && runs.height == has.height,
                    inside = runs.width <= has.width && runs.height <= has.height;
         if (each.stage == stage_kind::fragment ? !same : !inside)

@@ -37,6 +37,8 @@ constexpr texel_type texel_of(format f) {
         return {VK_FORMAT_R32_SFLOAT, 1, 4, "r32_float"};
     case format::rg32_uint:
         return {VK_FORMAT_R32G32_UINT, 2, 8, "rg32_uint"};
+    case format::rgba32_uint:
+        return {VK_FORMAT_R32G32B32A32_UINT, 4, 16, "rgba32_uint"};
     case format::rg32_float:
         return {VK_FORMAT_R32G32_SFLOAT, 2, 8, "rg32_float"};
     case format::rgba32_float:

@@ -18,6 +18,16 @@ __LINE__, R"glsl("
 const int crease_most_unrolled = 128;
 const int crease_batch_size = 4;
 
+// A source that holds several sizes of texels chooses among them here.
+crease_fetched crease_fetch_tap(crease_pattern pattern, crease_receiver receiver, int step, crease_tap tap) {
+    return crease_fetch(tap.texel);
+}
+
+// Texels between a tap and its neighbours, were all spread evenly over the disk of the radius.
+float crease_tap_spacing(crease_pattern pattern, crease_receiver receiver, int step) {
+    return sqrt(3.14159265 * abs(determinant(receiver.disk)) / float(crease_direction_count() * crease_step_count()));
+}
+
 // Fetches a batch of taps before any is weighed, so that their latencies overlap.
 void crease_gather_taps(inout crease_march march, inout crease_pattern pattern, crease_receiver receiver, int first) {
     crease_tap taps[crease_batch_size];
@@ -26,7 +36,7 @@ void crease_gather_taps(inout crease_march march, inout crease_pattern pattern, 
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count) {
             taps[i] = crease_pattern_tap(pattern, receiver, first + i);
-            fetched[i] = crease_fetch(taps[i].texel);
+            fetched[i] = crease_fetch_tap(pattern, receiver, first + i, taps[i]);
         }
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count)

@@ -3,7 +3,7 @@
 __LINE__, R"glsl("
 #endif
 
-// Two numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
+// Three numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
 uvec3 crease_hashed_noise_mix(uvec3 v) {
     v = v * 1664525u + 1013904223u;
     v += v.yzx * v.zxy;
@@ -12,8 +12,8 @@ uvec3 crease_hashed_noise_mix(uvec3 v) {
     return v;
 }
 
-vec2 crease_noise(ivec2 pixel) {
-    return vec2(crease_hashed_noise_mix(uvec3(uvec2(pixel), crease_frame)).xy >> 8u) * (1.0 / 16777216.0);
+vec3 crease_noise(ivec2 pixel) {
+    return vec3(crease_hashed_noise_mix(uvec3(uvec2(pixel), crease_frame)) >> 8u) * (1.0 / 16777216.0);
 }
 #ifdef __cplusplus
 ")glsl"

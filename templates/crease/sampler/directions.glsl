@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
-vec2 crease_noise(ivec2 pixel);
+vec3 crease_noise(ivec2 pixel);
 float crease_share_inside(vec2 from, vec2 way);
 #else
 __LINE__, R"glsl("
@@ -20,7 +20,7 @@ struct crease_pattern {
 float crease_directions_angle() { return 6.28318531 / float(crease_directions_count); }
 
 crease_pattern crease_pattern_begin(crease_receiver receiver) {
-    vec2 noise = crease_noise(receiver.pixel);
+    vec2 noise = crease_noise(receiver.pixel).xy;
     float angle = noise.x * crease_directions_angle();
     // A texel in the root mean square over all directions is at least 1 / sqrt(2) of a texel in each, so no tap falls
     // on the receiver itself.
@@ -53,7 +53,16 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     for (int i = 1; i < crease_directions_power; ++i)
         density *= along;
     vec2 texel = floor(pattern.first + pattern.march * (along * density));
-    return crease_tap(texel, crease_inside(texel), pattern.share * density);
+    float distance = pattern.share * pow(along / float(crease_directions_steps), float(crease_directions_power));
+    return crease_tap(texel, crease_inside(texel), pattern.share * density, distance,
+                      float(crease_directions_power) / along);
+}
+
+float crease_tap_spacing(crease_pattern pattern, crease_receiver receiver, int step) {
+    float along = float(step) + pattern.offset, spacing = length(pattern.march) * float(crease_directions_power);
+    for (int i = 1; i < crease_directions_power; ++i)
+        spacing *= along;
+    return spacing;
 }
 #ifdef __cplusplus
 ")glsl"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
-vec2 crease_noise(ivec2 pixel);
+vec3 crease_noise(ivec2 pixel);
 void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out vec3 ray);
 float crease_share_inside(vec2 from, vec2 way);
 int crease_step_count();
@@ -17,7 +17,7 @@ struct crease_pattern {
 };
 
 crease_pattern crease_pattern_begin(crease_receiver receiver) {
-    vec2 noise = crease_noise(receiver.pixel);
+    vec2 noise = crease_noise(receiver.pixel).xy;
     float angle = 6.28318531 * noise.x;
     return crease_pattern(vec2(cos(angle), sin(angle)), noise.y);
 }

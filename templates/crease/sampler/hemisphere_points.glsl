@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
-vec2 crease_noise(ivec2 pixel);
+vec3 crease_noise(ivec2 pixel);
 vec2 crease_texel_at(vec3 position);
 float crease_radius_inside(crease_receiver receiver);
 void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out vec3 ray);
@@ -19,7 +19,7 @@ struct crease_pattern {
 };
 
 crease_pattern crease_pattern_begin(crease_receiver receiver) {
-    vec2 noise = crease_noise(receiver.pixel);
+    vec2 noise = crease_noise(receiver.pixel).xy;
     vec3 normal = receiver.normal;
     vec3 axis = abs(normal.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
     vec3 tangent = normalize(cross(axis, normal));

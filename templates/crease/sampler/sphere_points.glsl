@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
-vec2 crease_noise(ivec2 pixel);
+vec3 crease_noise(ivec2 pixel);
 vec2 crease_texel_at(vec3 position);
 float crease_radius_inside(crease_receiver receiver);
 void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out vec3 ray);
@@ -17,7 +17,7 @@ struct crease_pattern {
 };
 
 crease_pattern crease_pattern_begin(crease_receiver receiver) {
-    vec2 noise = crease_noise(receiver.pixel);
+    vec2 noise = crease_noise(receiver.pixel).xy;
     float angle = 6.28318531 * noise.x;
     return crease_pattern(vec2(cos(angle), sin(angle)), crease_radius_inside(receiver), noise.y);
 }

@@ -27,7 +27,7 @@ static_assert(std::is_convertible_v<const composition&, effect_view> &&
 namespace host {
 
 constexpr glsl_file noise_glsl{"host/noise.glsl", R"(
-vec2 crease_noise(ivec2 pixel) { return crease_load_numbers(pixel).xy; }
+vec3 crease_noise(ivec2 pixel) { return crease_load_numbers(pixel).xyz; }
 )"};
 constexpr glsl_file make_glsl{"host/make.glsl", R"(
 void crease_build(ivec2 texel) { imageStore(crease_numbers, texel, vec4(0.5)); }

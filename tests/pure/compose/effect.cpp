@@ -20,8 +20,10 @@ static_assert(get(plain::defaults, plain::settings, "bias") == hbao::reads[0].fa
 static_assert(has_version(plain::passes[0].pieces[0].text, "#version 450\n"));
 static_assert(
     plain::passes[0].pieces[0].text.starts_with("// directions:8x4x2/single_layer/hbao, pass visibility; "
-                                                "crease 0.1.0, SPDX-License-Identifier: MIT-0\n"));
+                                                "crease 0.2.0, SPDX-License-Identifier: MIT-0\n"));
 static_assert(plain::view().block_size() == block_size(1, 4));
+static_assert(plain::view().recipe == "directions:8x4x2/single_layer/hbao");
+static_assert(plain::passes[0].spirv.empty() && plain::passes[0].vertex_spirv.empty());
 
 static_assert(!effect<directions<8, 4>, single_layer, hbao, fragment>::features.extended_storage_formats);
 static_assert(!effect<directions<8, 4>, single_layer, hbao, opengl_glsl>::features.extended_storage_formats);

@@ -40,3 +40,14 @@ TEST_CASE("a fixed side stays, whatever the picture and the band; the other foll
     CHECK(table.width_of(641, 16) == 256);
     CHECK(table.height_of(359, 16) == 257);
 }
+
+TEST_CASE("a level halves the size with its band, rounded down, down to one texel") {
+    constexpr extent third{.divisor = 2, .guarded = true, .level = 3}, deep{.level = 40},
+        of_fixed{.fixed_width = 9, .fixed_height = 1, .level = 2};
+    CHECK(third.width_of(641, 16) == 44); // 321 + 32, then 176, 88, 44
+    CHECK(third.height_of(359, 16) == 26);
+    CHECK(deep.width_of(641) == 1);
+    CHECK(of_fixed.width_of(641) == 2);
+    CHECK(of_fixed.height_of(359) == 1);
+    CHECK(extent{.level = 1}.width_of(0) == 0);
+}

@@ -19,6 +19,7 @@ TEST_CASE("what GLSL and a device know of each format") {
                                     {format::rgba8_unorm, "rgba8_unorm", "rgba8", false, false},
                                     {format::r32_uint, "r32_uint", "r32ui", true, false},
                                     {format::rg32_uint, "rg32_uint", "rg32ui", true, true},
+                                    {format::rgba32_uint, "rgba32_uint", "rgba32ui", true, false},
                                     {format::r32_float, "r32_float", "r32f", false, false},
                                     {format::rg32_float, "rg32_float", "rg32f", false, true},
                                     {format::rgba16_float, "rgba16_float", "rgba16f", false, false},

@@ -34,6 +34,7 @@ static_assert(block_size(1, 2) == 64);
 static_assert(block_size(1, 3) == 80);
 static_assert(block_size(2, 0) == 2 * bytes_of_view + bytes_of_matrix + 16);
 static_assert(block_size(4, 24) == 4 * bytes_of_view + 3 * bytes_of_matrix + 8 + 96 + 8);
+static_assert(radius_offset(1) == 48 && setting_offset(1, 0) == 56 && setting_offset(1, 3) == 68);
 
 template <class Value>
 Value at(const std::vector<std::byte>& bytes, std::size_t offset) {
@@ -114,6 +115,8 @@ TEST_CASE("the block of several cameras: their views, then the matrices of those
                       static_cast<float>(100 * i + k));
         }
         const std::size_t after = bytes_of_view * views + bytes_of_matrix * (views - 1);
+        CHECK(radius_offset(views) == after);
+        CHECK(setting_offset(views, most_settings - 1) == after + 8 + 4 * (most_settings - 1));
         CHECK(at<float>(bytes, after) == 7);
         CHECK(at<std::uint32_t>(bytes, after + 4) == 8);
         CHECK(at<float>(bytes, after + 8 + 4 * (most_settings - 1)) ==
@@ -121,20 +124,34 @@ TEST_CASE("the block of several cameras: their views, then the matrices of those
     }
 }
 
+namespace {
+
+struct sharp_noise { // with a setting of the name that bilateral's has
+    static constexpr setting reads[] = {{"sharpness", 1, 0, 10, ""}};
+    static constexpr part description{.kind = role::noise,
+                                      .name = "sharp_noise",
+                                      .summary = "",
+                                      .source = "",
+                                      .files = hashed_noise::files,
+                                      .settings = reads};
+};
+
+}
+
 TEST_CASE("an effect sets its settings by name and writes its block") {
-    using ao = effect<directions<>, single_layer, hbao, bilateral<>, upsample<>>;
+    using ao = effect<directions<>, single_layer, hbao, sharp_noise, bilateral<>>;
     parameters p = ao::defaults;
     CHECK(ao::set<"strength">(p, 2));
     CHECK(ao::set<"hbao.bias">(p, 0.125f));
-    CHECK(ao::set<"upsample.sharpness">(p, 5));
+    CHECK(ao::set<"sharp_noise.sharpness">(p, 5));
     CHECK_FALSE(ao::set<"strength">(p, -1));
     CHECK(get(p, ao::settings, "strength") == 2);
     CHECK(get(p, ao::settings, "bias") == 0.125f);
     CHECK(get(p, ao::settings, "bilateral.sharpness") == bilateral_part::reads[0].fallback);
-    CHECK(get(p, ao::settings, "upsample.sharpness") == 5);
+    CHECK(get(p, ao::settings, "sharp_noise.sharpness") == 5);
     CHECK(ao::set<"sharpness">(p, 6)); // both
     CHECK(get(p, ao::settings, "bilateral.sharpness") == 6);
-    CHECK(get(p, ao::settings, "upsample.sharpness") == 6);
+    CHECK(get(p, ao::settings, "sharp_noise.sharpness") == 6);
 
     const auto block = ao::block(p);
     CHECK(block.size() == ao::view().block_size());

@@ -1,4 +1,4 @@
-// directions:8x4x2/single_layer/hbao, pass visibility; crease 0.1.0, SPDX-License-Identifier: MIT-0
+// directions:8x4x2/single_layer/hbao, pass visibility; crease 0.2.0, SPDX-License-Identifier: MIT-0
 #version 450
 #extension GL_EXT_control_flow_attributes : enable
 #define crease_unroll [[unroll]]
@@ -44,6 +44,7 @@ float crease_exponent = crease_given.exponent;
 struct crease_result {
     float visibility; // 1 open, 0 closed
     float depth;      // positive, linear; crease_background where there is none
+    vec3 normal;      // view space, unit; filters that weigh by it have it handed on
 };
 
 // The point whose visibility is asked for.
@@ -162,7 +163,8 @@ float crease_estimate_occlusion(crease_estimate estimate) {
 }
 
 crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver) {
-    return crease_result(crease_visibility_of(crease_estimate_occlusion(gathered.estimate)), -receiver.position.z);
+    return crease_result(crease_visibility_of(crease_estimate_occlusion(gathered.estimate)), -receiver.position.z,
+                         receiver.normal);
 }
 
 // Directions that divide the circle evenly, and steps that grow by a power of their index; both start at a random
@@ -176,7 +178,7 @@ struct crease_pattern {
     float nearest;  // radii that make a texel, in the root mean square over the directions on the screen
 };
 
-// Two numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
+// Three numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
 uvec3 crease_hashed_noise_mix(uvec3 v) {
     v = v * 1664525u + 1013904223u;
     v += v.yzx * v.zxy;
@@ -185,14 +187,14 @@ uvec3 crease_hashed_noise_mix(uvec3 v) {
     return v;
 }
 
-vec2 crease_noise(ivec2 pixel) {
-    return vec2(crease_hashed_noise_mix(uvec3(uvec2(pixel), crease_frame)).xy >> 8u) * (1.0 / 16777216.0);
+vec3 crease_noise(ivec2 pixel) {
+    return vec3(crease_hashed_noise_mix(uvec3(uvec2(pixel), crease_frame)) >> 8u) * (1.0 / 16777216.0);
 }
 
 float crease_directions_angle() { return 6.28318531 / float(crease_directions_count); }
 
 crease_pattern crease_pattern_begin(crease_receiver receiver) {
-    vec2 noise = crease_noise(receiver.pixel);
+    vec2 noise = crease_noise(receiver.pixel).xy;
     float angle = noise.x * crease_directions_angle();
     // A texel in the root mean square over all directions is at least 1 / sqrt(2) of a texel in each, so no tap falls
     // on the receiver itself.
@@ -306,6 +308,11 @@ crease_layers crease_fetch_first_layers(vec2 texel) { return crease_fetch_layers
 
 crease_fetched crease_fetch(vec2 texel) { return crease_fetched(crease_fetch_first_layers(texel)); }
 
+// A source that holds several sizes of texels chooses among them here.
+crease_fetched crease_fetch_tap(crease_pattern pattern, crease_receiver receiver, int step, crease_tap tap) {
+    return crease_fetch(tap.texel);
+}
+
 struct crease_contribution {
     float occlusion;
     float rise; // of the horizon after it
@@ -364,7 +371,7 @@ void crease_gather_taps(inout crease_march march, inout crease_pattern pattern, 
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count) {
             taps[i] = crease_pattern_tap(pattern, receiver, first + i);
-            fetched[i] = crease_fetch(taps[i].texel);
+            fetched[i] = crease_fetch_tap(pattern, receiver, first + i, taps[i]);
         }
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count)
@@ -410,7 +417,7 @@ crease_result crease_result_of(crease_receiver receiver) {
     return crease_conclude(crease_gather(receiver), receiver);
 }
 
-crease_result crease_open_result() { return crease_result(1.0, crease_background); }
+crease_result crease_open_result() { return crease_result(1.0, crease_background, vec3(0.0, 0.0, 1.0)); }
 
 crease_result crease_evaluate(ivec2 pixel) {
     crease_receiver receiver;

@@ -1,4 +1,4 @@
-// poisson_disk:16/single_layer/hbao_plus/linear_depth/functions:1x4x10, pass visibility; crease 0.1.0, SPDX-License-Identifier: MIT-0
+// poisson_disk:16/single_layer/hbao_plus/linear_depth/functions:1x4x10, pass visibility; crease 0.2.0, SPDX-License-Identifier: MIT-0
 #define crease_unroll
 layout(constant_id = 10) const int crease_poisson_disk_count = 16;
 const int crease_divisor = 1;
@@ -34,6 +34,7 @@ float crease_exponent = crease_given.exponent;
 struct crease_result {
     float visibility; // 1 open, 0 closed
     float depth;      // positive, linear; crease_background where there is none
+    vec3 normal;      // view space, unit; filters that weigh by it have it handed on
 };
 
 // The point whose visibility is asked for.
@@ -140,7 +141,8 @@ float crease_visibility_of(float occlusion) {
 float crease_estimate_occlusion(crease_estimate estimate) { return estimate.occlusion / max(estimate.weights, 1e-20); }
 
 crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver) {
-    return crease_result(crease_visibility_of(crease_estimate_occlusion(gathered.estimate)), -receiver.position.z);
+    return crease_result(crease_visibility_of(crease_estimate_occlusion(gathered.estimate)), -receiver.position.z,
+                         receiver.normal);
 }
 
 // A disk of points that keep apart: a spiral of golden angles, on which no two of N points are nearer to each other
@@ -150,7 +152,7 @@ struct crease_pattern {
     float offset;   // of the first radius
 };
 
-// Two numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
+// Three numbers in [0, 1) that differ from pixel to pixel and from frame to frame.
 uvec3 crease_hashed_noise_mix(uvec3 v) {
     v = v * 1664525u + 1013904223u;
     v += v.yzx * v.zxy;
@@ -159,12 +161,12 @@ uvec3 crease_hashed_noise_mix(uvec3 v) {
     return v;
 }
 
-vec2 crease_noise(ivec2 pixel) {
-    return vec2(crease_hashed_noise_mix(uvec3(uvec2(pixel), crease_frame)).xy >> 8u) * (1.0 / 16777216.0);
+vec3 crease_noise(ivec2 pixel) {
+    return vec3(crease_hashed_noise_mix(uvec3(uvec2(pixel), crease_frame)) >> 8u) * (1.0 / 16777216.0);
 }
 
 crease_pattern crease_pattern_begin(crease_receiver receiver) {
-    vec2 noise = crease_noise(receiver.pixel);
+    vec2 noise = crease_noise(receiver.pixel).xy;
     float angle = 6.28318531 * noise.x;
     return crease_pattern(vec2(cos(angle), sin(angle)), noise.y);
 }
@@ -253,6 +255,11 @@ crease_layers crease_fetch_first_layers(vec2 texel) { return crease_fetch_layers
 
 crease_fetched crease_fetch(vec2 texel) { return crease_fetched(crease_fetch_first_layers(texel)); }
 
+// A source that holds several sizes of texels chooses among them here.
+crease_fetched crease_fetch_tap(crease_pattern pattern, crease_receiver receiver, int step, crease_tap tap) {
+    return crease_fetch(tap.texel);
+}
+
 struct crease_contribution {
     float occlusion;
     float highest;
@@ -302,7 +309,7 @@ void crease_gather_taps(inout crease_march march, inout crease_pattern pattern, 
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count) {
             taps[i] = crease_pattern_tap(pattern, receiver, first + i);
-            fetched[i] = crease_fetch(taps[i].texel);
+            fetched[i] = crease_fetch_tap(pattern, receiver, first + i, taps[i]);
         }
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count)
@@ -351,7 +358,7 @@ crease_result crease_result_of(crease_receiver receiver) {
     return crease_conclude(crease_gather(receiver), receiver);
 }
 
-crease_result crease_open_result() { return crease_result(1.0, crease_background); }
+crease_result crease_open_result() { return crease_result(1.0, crease_background, vec3(0.0, 0.0, 1.0)); }
 
 crease_result crease_evaluate(ivec2 pixel) {
     crease_receiver receiver;

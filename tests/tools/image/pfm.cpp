@@ -41,6 +41,15 @@ TEST_CASE("pfm: big-endian, odd white space, NaN") {
     CHECK(std::isnan(pixels.at(1, 0)));
 }
 
+TEST_CASE("pfm: lines that end in CR LF") {
+    const std::string values("\0\0\x80\x3f\n\0\0\xc0", 8); // the last one's first byte is a line end
+    const image pixels = parse_pfm("Pf\r\n1 2\r\n-1.0\r\n" + values, "memory");
+    CHECK(pixels.at(0, 1) == 1);
+    CHECK(pixels.at(0, 0) == -2.0000023841857910f);
+    // CR alone may end the header too, before a value whose first byte is LF.
+    CHECK(parse_pfm("Pf\r1 1\r-1.0\r" + values.substr(4), "memory").at(0, 0) == -2.0000023841857910f);
+}
+
 TEST_CASE("pfm: broken files") {
     const auto expect = [](const std::string& part, std::string_view bytes) {
         expect_error<image_error>("memory: " + part, [&] { parse_pfm(bytes, "memory"); });
@@ -57,6 +66,17 @@ TEST_CASE("pfm: broken files") {
     expect("1 x 16385 texels", "Pf\n1 16385\n-1\nabcd");
     expect("truncated", "Pf\n16384 16384\n-1\nabcd");
     expect("truncated", "PF\n1 1\n-1\nabcdefghijk");
+    expect("truncated: 1 x 1 x 1 floats are 4 bytes, the file has 3", "Pf\r\n1 1\r\n-1\r\nabc");
+    expect("1 x 1 x 1 floats are 4 bytes, and 1 more follow them", "Pf\n1 1\n-1\nabcde");
+    expect("1 x 1 x 1 floats are 4 bytes, and 1 more follow them", "Pf\r\n1 1\r\n-1\r\nabcde");
+    for (const std::string scale : {"nan", "-nan", "inf", "-inf", "-1e99", "-1x"})
+        expect("broken PFM header", "Pf\n1 1\n" + scale + "\nabcd");
+}
+
+TEST_CASE("image: an extension in letters of either case") {
+    const temporary_folder folder;
+    write_pfm(folder / "a.PFM", image(1, 1));
+    CHECK(read_image(folder / "a.PFM").width == 1);
 }
 
 TEST_CASE("image: what cannot be read or written") {

@@ -60,6 +60,7 @@ struct bent_cone {
         .files = files,
         .resources = images,
         .needs = needs::list,
+        .offers = traits<handed_on_normals>::list,
     };
 };
 

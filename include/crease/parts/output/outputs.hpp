@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <crease/compose/trait.hpp>
 #include <crease/parts/output_format/formats.hpp>
 
 namespace crease {
@@ -25,9 +26,22 @@ inline constexpr resource visibility_image{.name = "visibility",
                                            .read = access::load,
                                            .shape = shape_visibility};
 
-/// What a pass hands on to a filter, in texels of a format.
+/// `normal` in crease_result, which is handed on where a filter needs it.
+CREASE_TRAIT(handed_on_normals, output, "the filter weighs by normals, and the output hands on none");
+
+/// The format that filters give what passes hand on: wide enough for the normal too, where one needs it.
+constexpr void shape_between(resource& own, const shape_of& effect) {
+    if (effect.needs(&handed_on_normals::value))
+        own.texels = own.texels == format::r32_uint ? format::rg32_uint : format::rgba32_uint;
+}
+
+/// What a pass hands on to a filter, in texels of the format that does without the normal.
 constexpr resource between_image(format texels) {
-    return {.name = "between", .texels = texels, .life = lifetime::handed_on, .read = access::load};
+    return {.name = "between",
+            .texels = texels,
+            .life = lifetime::handed_on,
+            .read = access::load,
+            .shape = shape_between};
 }
 
 }

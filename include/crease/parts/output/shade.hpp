@@ -38,6 +38,7 @@ struct shade_part {
         .files = files,
         .numbers = takes,
         .resources = images,
+        .offers = traits<handed_on_normals>::list,
     };
 };
 

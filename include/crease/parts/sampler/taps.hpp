@@ -13,6 +13,11 @@ CREASE_TRAIT(screen_taps, sampler,
 CREASE_TRAIT(ordered_taps, sampler,
              "the estimator needs taps in order along directions, which the sampler does not propose");
 
+/// Taps in order along the half slices of directions, of which the sampler tells how they are weighed:
+/// crease_slice_weight.
+CREASE_TRAIT(slice_taps, sampler,
+             "the estimator needs taps in order along half slices, which the sampler does not propose");
+
 /// Taps at points of view space that fill a sphere or a hemisphere around the receiver.
 CREASE_TRAIT(point_taps, sampler,
              "the estimator needs taps at points in space, which the sampler does not propose");
@@ -47,6 +52,16 @@ inline constexpr glsl_file area_tap_glsl{
 inline constexpr glsl_file screen_tap_glsl{
     "sampler/screen_tap.glsl",
 #include <crease/sampler/screen_tap.glsl>
+};
+
+inline constexpr glsl_file slice_tap_glsl{
+    "sampler/slice_tap.glsl",
+#include <crease/sampler/slice_tap.glsl>
+};
+
+inline constexpr glsl_file stepped_tap_glsl{
+    "sampler/stepped_tap.glsl",
+#include <crease/sampler/stepped_tap.glsl>
 };
 
 inline constexpr glsl_file share_inside_glsl{

@@ -16,6 +16,7 @@ inline constexpr number capture_places[] = {
 /// Names of the captured layers of the cameras beside the picture's.
 inline constexpr std::string_view further_captured_layers[] = {"captured_layers_1", "captured_layers_2",
                                                                "captured_layers_3"};
+/// The name of those of the picture's camera.
 inline constexpr std::string_view captured_layers_name[] = {"captured_layers"};
 
 /// The geometry pass that captures the layers, once for each camera.
