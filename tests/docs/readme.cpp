@@ -29,7 +29,7 @@ TEST_CASE("the README's effect runs with the README's parameters") {
 }
 
 TEST_CASE("the README's composition is the README's effect, and a bad recipe throws its sentence") {
-    const auto composed = readme_page::compose("directions:4x4/single_layer/hbao/bilateral");
+    const auto composed = readme_page::compose("preset:medium");
     CHECK(step::joined(composed->view().passes[0].pieces) == readme_page::first);
     CHECK_THROWS_WITH(readme_page::compose("directions/hbao"),
                       "crease::effect: the second part must be a depth source (hbao)");

@@ -1,154 +1,48 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 
+#include "candidate.hpp"
 #include "frame/fetch_loop.hpp"
-#include "frame/frame.hpp"
 #include "frame/table_copy.hpp"
 #include "frame/table_doubling.hpp"
 #include "measure/compare.hpp"
-#include "measure/work.hpp"
 #include "progress.hpp"
 #include "ranges.hpp"
-#include "scene_options.hpp"
-#include "truth/kept_truth.hpp"
+#include "views.hpp"
 
 #include <fmt/format.h>
-#include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
-#include <optional>
 
 namespace crease::tools {
 
 namespace {
 
 struct bench_options {
-    std::vector<std::string> scenes;
-    std::vector<std::string> recipes{"hemisphere_points:16/single_layer/ssao/bilateral",
-                                     "hemisphere_points:64/single_layer/ssao/bilateral",
+    view_options views{.moved = true};
+    std::vector<std::string> recipes{"preset:low",
+                                     "preset:medium",
+                                     "preset:high",
+                                     "preset:ultra",
+                                     "hemisphere_points:16/single_layer/ssao/bilateral",
                                      "directions:4x4/single_layer/hbao/bilateral",
                                      "directions:4x8/single_layer/hbao/bilateral",
                                      "directions:8x4/single_layer/hbao/bilateral",
                                      "directions:8x4/single_layer/hbao_plus/bilateral",
                                      "poisson_disk:16/single_layer/hbao_plus/bilateral",
-                                     "directions:4x4/single_layer/hbao/bilateral:2/upsample:2",
-                                     "directions:4x4/single_layer/hbao/bilateral:1/upsample:4"};
+                                     "directions:4x4/single_layer/hbao/bilateral:2/upsample:2"};
     std::vector<std::string> settings;
     std::string device;
-    std::filesystem::path truths;
-    std::vector<std::string> cameras;
-    lens_options lens;
-    device_depth_kind depth = device_depth_kind::reversed;
-    bool hidden = false;
-    unsigned guard = 0;
-    unsigned width = 1280, height = 720, rays = 256, repeats = 15;
+    unsigned repeats = 15;
     bool as_json = false;
 };
-
-/// A view of a scene with its inputs and its truth.
-struct subject {
-    std::string name;
-    camera from;
-    gbuffer inputs;
-    image hard, linear, quad, bent, mask;
-    gbuffer moved; ///< after the camera turned by half a pixel
-};
-
-/// The camera turned to the side, so that the middle of the picture moves by half a pixel.
-camera half_a_pixel_on(camera from) {
-    const glm::dvec3 ahead = from.target - from.eye;
-    const glm::dvec3 side = glm::normalize(glm::cross(ahead, from.up));
-    const double pixel = 2 * std::tan(glm::radians(double{from.vfov_deg}) / 2) / from.height;
-    from.target += side * (glm::length(ahead) * pixel / 2);
-    return from;
-}
-
-/// The truth of a view, traced once where a directory keeps it.
-void add_truth(subject& view, const mesh& scene, const bench_options& options) {
-    const std::string label = fmt::format("{} {}", view.name, view.from.name);
-    std::optional<progress> bar; // once it is traced
-    const truth_settings settings{.width = options.width,
-                                  .height = options.height,
-                                  .radius = view.from.ao_radius,
-                                  .rays = options.rays,
-                                  .first_layer = options.hidden,
-                                  .progress = [&](double done) {
-                                      if (!bar)
-                                          bar.emplace("tracing " + label);
-                                      (*bar)(done);
-                                      return true;
-                                  }};
-    truth traced = options.truths.empty()
-                       ? trace_truth(scene, view.from, settings)
-                       : kept_truth(options.truths, label, scene, view.from, settings, note);
-    if (options.hidden)
-        view.mask = hidden_mask(traced);
-    view.hard = std::move(traced.ao_hard);
-    view.linear = std::move(traced.ao_linear);
-    view.quad = std::move(traced.ao_quad);
-    view.bent = std::move(traced.bent);
-}
-
-/// All views of a scene.
-std::vector<subject> load_subjects(vulkan::device& device, const std::string& path,
-                                   const bench_options& options) {
-    const mesh scene = scene_of(path);
-    std::vector<subject> views;
-    for (const camera& each : cameras_of(path, scene)) {
-        if (!options.cameras.empty() && std::ranges::count(options.cameras, each.name) == 0)
-            continue;
-        camera from = options.lens.apply_to(each);
-        from.width = options.width;
-        from.height = options.height;
-        subject view{.name = std::filesystem::path(path).stem().string(),
-                     .from = from,
-                     .inputs = rasterise(device, scene, from, options.guard, options.depth),
-                     .hard = {},
-                     .linear = {},
-                     .quad = {},
-                     .bent = {},
-                     .mask = {},
-                     .moved = rasterise(device, scene, half_a_pixel_on(from), options.guard, options.depth)};
-        check_sight(from, view.inputs.depth);
-        add_truth(view, scene, options);
-        views.push_back(std::move(view));
-    }
-    return views;
-}
 
 struct score {
     double milliseconds = 0, capture_milliseconds = 0;
     double rmse_hard = 0, rmse_linear = 0, rmse_quad = 0, ssim = 0, bias = 0, change = 0;
 };
-
-/// A recipe, and settings of its own behind it: RECIPE[@name=value,...].
-struct candidate {
-    std::string text;
-    recipe chosen;
-    std::map<std::string, float> settings;
-
-    frame_options options_for(const subject& view) const {
-        return {.radius = view.from.ao_radius, .settings = settings};
-    }
-};
-
-candidate parse_candidate(const std::string& whole, const bench_options& options) {
-    const std::string_view text = whole;
-    const std::size_t at = std::min(text.find('@'), text.size());
-    std::vector<std::string> settings = options.settings;
-    for (std::string_view rest = text.substr(at); !rest.empty();) {
-        rest.remove_prefix(1);
-        const std::size_t comma = std::min(rest.find(','), rest.size());
-        settings.emplace_back(rest.substr(0, comma));
-        rest.remove_prefix(comma);
-    }
-    const candidate read{whole, parse_recipe(text.substr(0, at)), parse_settings(settings)};
-    settle(read.chosen, {.radius = 1, .settings = read.settings}); // which refuses what does not fit
-    return read;
-}
 
 /// What else a view can say of a picture: the error where hidden geometry matters, and the angle to the bent
 /// normal.
@@ -159,13 +53,13 @@ void add_particulars(nlohmann::ordered_json& row, const subject& view, const fra
             if (view.mask.texels[i] == 0)
                 depth.texels[i] = view.from.far;
         const comparison hidden =
-            compare(made.visibility, view.linear, {.depth = &depth, .far = view.from.far});
+            compare(made.visibility, view.traced.ao_linear, {.depth = &depth, .far = view.from.far});
         row["rmse_hidden"] = hidden.rmse;
         row["bias_hidden"] = hidden.bias;
         row["pixels_hidden"] = hidden.pixels;
     }
     if (made.bent)
-        row["bent_degrees"] = mean_angle(*made.bent, view.bent);
+        row["bent_degrees"] = mean_angle(*made.bent, view.traced.bent);
 }
 
 /// The times of the candidates on the first view.
@@ -174,7 +68,7 @@ std::vector<frame_times> time_candidates(vulkan::device& device, const std::vect
     std::vector<std::unique_ptr<prepared_effect>> effects;
     for (const candidate& each : candidates)
         effects.push_back(
-            std::make_unique<prepared_effect>(device, each.chosen, view.inputs, each.options_for(view)));
+            std::make_unique<prepared_effect>(device, each.chosen, view.inputs, each.options_for(view.from)));
     progress bar("timing by turns");
     return take_turns(effects, repeats, [&bar](double done) { bar(done); });
 }
@@ -184,29 +78,25 @@ nlohmann::ordered_json measure(vulkan::device& device, const candidate& of, cons
     nlohmann::ordered_json passes = nlohmann::ordered_json::array(), each = nlohmann::ordered_json::array();
     score mean;
     const recipe run = supported(device, seen_by(views[0].from, of.chosen));
-    const auto composed = std::make_unique<composition>(run);
-    for (const pass& p : composed->view().passes) {
-        if (p.stage == stage_kind::geometry)
-            continue;
-        const shader_work work = count_work(spirv::compile(p));
+    for (const pass_work& p : work_of(run)) {
         const double milliseconds = times.passes[passes.size()].milliseconds;
         passes.push_back({{"name", p.name},
-                          {"fetches", work.fetches},
-                          {"instructions", work.instructions},
+                          {"fetches", p.of_pixel.fetches},
+                          {"instructions", p.of_pixel.instructions},
                           {"milliseconds", milliseconds}});
         mean.milliseconds += milliseconds;
     }
     for (const vulkan::pass_time& t : times.captures)
         mean.capture_milliseconds += t.milliseconds;
     for (const subject& view : views) {
-        const frame made = run_effect(device, of.chosen, view.inputs, of.options_for(view));
-        const comparison_settings mask{.depth = &view.inputs.depth, .far = view.from.far};
-        const comparison linear = compare(made.visibility, view.linear, mask);
+        const frame made = run_effect(device, of.chosen, view.inputs, of.options_for(view.from));
+        const comparison_settings mask = view.mask_of_background();
+        const comparison linear = compare(made.visibility, view.traced.ao_linear, mask);
         const double share = 1.0 / static_cast<double>(views.size());
-        const double hard = compare(made.visibility, view.hard, mask).rmse;
-        const frame after = run_effect(device, of.chosen, view.moved, of.options_for(view));
+        const double hard = compare(made.visibility, view.traced.ao_hard, mask).rmse;
+        const frame after = run_effect(device, of.chosen, view.moved, of.options_for(view.from));
         const double change = compare(after.visibility, made.visibility, mask).mae;
-        const double quad = compare(made.visibility, view.quad, mask).rmse;
+        const double quad = compare(made.visibility, view.traced.ao_quad, mask).rmse;
         mean.rmse_hard += share * hard;
         mean.rmse_quad += share * quad;
         mean.rmse_linear += share * linear.rmse;
@@ -278,9 +168,9 @@ std::vector<baseline> time_baselines(vulkan::device& device, const gbuffer& inpu
     if (!tables)
         return all;
     all.push_back({"table_copy_milliseconds", "a copy of as many texels of rgba32_float",
-                   time_table_copy(device, options.width, options.height, options.repeats)});
+                   time_table_copy(device, options.views.width, options.views.height, options.repeats)});
     all.push_back({"table_doubling_milliseconds", "their summed-area table by recursive doubling",
-                   time_table_doubling(device, options.width, options.height, options.repeats)});
+                   time_table_doubling(device, options.views.width, options.views.height, options.repeats)});
     return all;
 }
 
@@ -303,22 +193,10 @@ std::string added_parts(const vulkan::device& device, const std::vector<candidat
 void run(const bench_options& options) {
     std::vector<candidate> candidates;
     for (const std::string& text : options.recipes)
-        candidates.push_back(parse_candidate(text, options));
-    for (const std::string& scene : options.scenes)
-        if (recipe(std::string_view(scene)))
-            throw recipe_error(
-                fmt::format("'{}' is a recipe and stands among the scenes; give each recipe by a "
-                            "--recipes of its own",
-                            scene));
+        candidates.push_back(parse_candidate(text, options.settings));
+    refuse_recipes_among(options.views.scenes);
     vulkan::device device({.name = options.device});
-    std::vector<subject> views;
-    for (const std::string& scene :
-         options.scenes.empty() ? std::vector<std::string>{"built-in"} : options.scenes)
-        for (subject& view : load_subjects(device, scene, options))
-            views.push_back(std::move(view));
-    for (const std::string& name : options.cameras)
-        if (std::ranges::none_of(views, [&](const subject& view) { return view.from.name == name; }))
-            throw std::runtime_error(fmt::format("none of the scenes has the camera '{}'", name));
+    const std::vector<subject> views = load_subjects(device, options.views);
     const std::vector<baseline> baselines = time_baselines(device, views[0].inputs, candidates, options);
     const std::vector<frame_times> times = time_candidates(device, candidates, views[0], options.repeats);
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
@@ -326,7 +204,8 @@ void run(const bench_options& options) {
         fmt::print(
             "{}, {} x {}, times on {} {}, errors the mean of {} views, change that of a pixel when the "
             "camera turns by half of one\n",
-            device.name(), options.width, options.height, views[0].name, views[0].from.name, views.size());
+            device.name(), options.views.width, options.views.height, views[0].name, views[0].from.name,
+            views.size());
         if (const std::string added = added_parts(device, candidates, views[0].from); !added.empty())
             fmt::print(
                 "added to recipes as suits the device and the camera, where they name none of the kind: {}\n",
@@ -342,9 +221,9 @@ void run(const bench_options& options) {
     if (!options.as_json)
         return;
     nlohmann::ordered_json whole = {{"device", std::string(device.name())},
-                                    {"width", options.width},
-                                    {"height", options.height},
-                                    {"depth", name_of(options.depth)}};
+                                    {"width", options.views.width},
+                                    {"height", options.views.height},
+                                    {"depth", name_of(options.views.depth)}};
     for (const baseline& b : baselines)
         whole[b.key] = b.milliseconds;
     whole["recipes"] = rows;
@@ -356,31 +235,14 @@ void run(const bench_options& options) {
 void add_bench(CLI::App& app) {
     CLI::App* command = app.add_subcommand("bench", "cost and error of recipes on scenes");
     const auto options = std::make_shared<bench_options>();
-    command->add_option("scenes", options->scenes,
-                        "scene files, with their cameras in <stem>.cameras.json, or built-in; else built-in");
+    options->views.add_to(*command);
     add_each(*command, "--recipes", options->recipes,
              "a recipe to measure, RECIPE[@name=value,...]; else a handful");
     command->add_flag(
-        "--hidden", options->hidden,
+        "--hidden", options->views.hidden,
         "also the error where geometry that the camera cannot see takes more than 0.15 of the visibility");
-    command->add_option("--guard", options->guard, "width of the guard band around the pictures, texels")
-        ->check(whole_number_from(0, 4096));
-    add_each(*command, "--cameras", options->cameras, "name of a camera to use; else all");
-    options->lens.add_to(*command);
-    add_depth_option(*command, options->depth);
     add_each(*command, "--set", options->settings, "name=value of a setting, for all recipes");
     command->add_option("--device", options->device, "part of the name of a Vulkan device");
-    command->add_option("--truths", options->truths,
-                        "directory that keeps the ray-traced truths between runs");
-    command->add_option("--width", options->width, "texels")
-        ->check(whole_number_from(1, longest_side))
-        ->capture_default_str();
-    command->add_option("--height", options->height, "texels")
-        ->check(whole_number_from(1, longest_side))
-        ->capture_default_str();
-    command->add_option("--rays", options->rays, "of the truth")
-        ->check(whole_number_from(1, 65536))
-        ->capture_default_str();
     command
         ->add_option("--repeats", options->repeats,
                      "timed runs, in which the recipes take turns; the median counts")

@@ -22,6 +22,7 @@ void add_render(CLI::App& app);
 void add_reference(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_bench(CLI::App& app);
+void add_tune(CLI::App& app);
 void add_demo(CLI::App& app);
 
 }

@@ -26,11 +26,11 @@ struct shown_recipe {
 };
 
 constexpr shown_recipe shown_recipes[] = {
-    {"ssao", "hemisphere_points:16/single_layer/ssao/bilateral"},
+    {"medium", "preset:medium"},
+    {"low", "preset:low"},
+    {"high", "preset:high"},
+    {"ultra", "preset:ultra"},
     {"hbao", "directions:4x4/single_layer/hbao/bilateral"},
-    {"hbao_plus", "directions:8x4/single_layer/hbao_plus/bilateral"},
-    {"hbao_plus_disk", "poisson_disk:16/single_layer/hbao_plus/bilateral"},
-    {"hbao_half", "directions:4x4/single_layer/hbao/bilateral:2/upsample:2"},
 };
 
 struct demo_options {
@@ -114,7 +114,7 @@ void run(const demo_options& options) {
 
 void add_demo(CLI::App& app) {
     CLI::App* command =
-        app.add_subcommand("demo", "a built-in scene with a handful of recipes, beside the truth");
+        app.add_subcommand("demo", "a built-in scene with the presets and HBAO, beside the truth");
     const auto options = std::make_shared<demo_options>();
     command->add_option("-o,--output", options->directory, "directory for the files")->required();
     command->add_option("--device", options->device, "part of the name of a Vulkan device");

@@ -3,6 +3,7 @@
 
 #include <crease/compose/composition.hpp>
 #include <crease/parts/all_parts.hpp>
+#include <crease/parts/presets.hpp>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -66,15 +67,39 @@ json describe(const part& p) {
             {"source", p.source}, {"numbers", numbers},      {"settings", settings}};
 }
 
+/// The settings of a preset that differ from what its parts recommend.
+json settings_of_preset(const preset_description& p) {
+    json settings = json::object();
+    for (const choice& c : p.parts)
+        for (const setting_value& own : c.settings)
+            settings[fmt::format("{}.{}", c.what->name, own.name)] = own.value;
+    return settings;
+}
+
+json describe(const preset_description& p) {
+    return {{"name", p.name},
+            {"summary", p.summary},
+            {"recipe", fmt::format("preset:{}", p.name)},
+            {"parts", recipe(p.parts).text().view()},
+            {"settings", settings_of_preset(p)},
+            {"figures",
+             {{"rmse_hard", p.figures.rmse_hard},
+              {"rmse_linear", p.figures.rmse_linear},
+              {"ssim_linear", p.figures.ssim_linear},
+              {"time", p.figures.time}}}};
+}
+
 void print_json() {
-    json parts = json::array(), recipes = json::array();
+    json parts = json::array(), recipes = json::array(), presets = json::array();
+    for (const preset_description* p : all_presets)
+        presets.push_back(describe(*p));
     for (const part* p : all_parts)
         parts.push_back(describe(*p));
     for (const std::string& text : legal_triples())
         recipes.push_back(
             {{"recipe", text},
              {"features", {{"extended_storage_formats", required_by(text).extended_storage_formats}}}});
-    fmt::print("{}\n", json{{"parts", parts}, {"recipes", recipes}}.dump(2));
+    fmt::print("{}\n", json{{"presets", presets}, {"parts", parts}, {"recipes", recipes}}.dump(2));
 }
 
 /// The roles in the order in which the index of parts names them.
@@ -100,6 +125,9 @@ void print_part(const part& p) {
 }
 
 void print_text() {
+    fmt::print("presets, preset:NAME[/PART...]: a part takes the place of those of its role\n");
+    for (const preset_description* p : all_presets)
+        fmt::print("  {:<22} {}\n  {:<22}   {}\n", p->name, p->summary, "", recipe(p->parts).text().view());
     for (role r : roles_in_order()) {
         fmt::print("\n{}\n", name_of(r));
         for (const part* p : all_parts)
@@ -118,8 +146,8 @@ void print_text() {
 }
 
 void add_list(CLI::App& app) {
-    CLI::App* command =
-        app.add_subcommand("list", "the parts, what fits with what, numbers, settings and papers");
+    CLI::App* command = app.add_subcommand(
+        "list", "the presets, the parts, what fits with what, numbers, settings and papers");
     static bool as_json = false;
     command->add_flag("--json", as_json, "for programs");
     command->callback([] { as_json ? print_json() : print_text(); });

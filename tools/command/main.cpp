@@ -60,6 +60,7 @@ int main(int count, char** arguments) {
     crease::tools::add_reference(app);
     crease::tools::add_compare(app);
     crease::tools::add_bench(app);
+    crease::tools::add_tune(app);
     crease::tools::add_demo(app);
     return run(app, count, arguments);
 }

@@ -118,6 +118,18 @@ constexpr void assert_each_rule() {
                           assert_every_need<Sampler, DepthSource, Estimator, Rest...>());
 }
 
+/// Parts that are too few fail by the place that is empty.
+template <class First, class... Second>
+constexpr void assert_three() {
+    if constexpr (assert_sampler_first<has_role<First, role::sampler>, First>() &&
+                  (assert_depth_source_second<has_role<Second, role::depth_source>, Second>() && ...)) {
+        if constexpr (sizeof...(Second) == 0)
+            assert_depth_source_second<false, First>();
+        else
+            assert_estimator_third<false, First, Second...>();
+    }
+}
+
 /// Whether the parts make an effect; where they do not, an assertion says why. The rules are checked on
 /// values first, as a template for each rule and part costs a compiler more than all else.
 template <class... Parts>
@@ -125,6 +137,8 @@ constexpr bool assert_all() {
     if constexpr ((asserted_part<Parts>() && ...)) {
         if constexpr (make_an_effect<Parts...>)
             return true;
+        else if constexpr (sizeof...(Parts) < 3)
+            assert_three<Parts...>();
         else
             assert_each_rule<Parts...>();
     }

@@ -4,6 +4,7 @@
 #include <crease/compose/assertions.hpp>
 #include <crease/compose/described.hpp>
 #include <crease/compose/joining.hpp>
+#include <crease/compose/preset.hpp>
 
 #include <array>
 #include <bit>
@@ -176,21 +177,55 @@ constexpr bool has_setting() {
 
 }
 
+template <class First, class... Rest>
+struct effect;
+
+namespace composing {
+
+template <std::size_t At, class Part>
+struct placed {
+    using type = Part;
+};
+template <std::size_t At, class Part>
+placed<At, Part> part_at(const placed<At, Part>&);
+
+template <class Places, class... Parts>
+struct all_placed;
+template <std::size_t... At, class... Parts>
+struct all_placed<std::index_sequence<At...>, Parts...> : placed<At, Parts>... {};
+
+/// The effect of a preset's parts and those named behind it.
+template <class Parts, class... Named>
+struct preset_effect;
+template <class... Parts, class... Named>
+struct preset_effect<part_list<Parts...>, Named...> {
+    using all = all_placed<std::index_sequence_for<Parts..., Named...>, Parts..., Named...>;
+    static constexpr auto places = [] {
+        const choice named[] = {choice{}, rules::choice_or_none<Named>()...};
+        return combining::order(choices_in<part_list<Parts...>>, {named + 1, sizeof...(Named)});
+    }();
+    template <std::size_t... I>
+    static effect<typename decltype(part_at<places[I]>(all{}))::type...> chosen(std::index_sequence<I...>);
+    using type = decltype(chosen(std::make_index_sequence<places.size()>{}));
+};
+
+}
+
 /// An ambient-occlusion effect, composed at compile time.
 ///
-/// `Sampler`, `DepthSource` and `Estimator` make the main pass; `Rest` are filters, in the order in which
-/// they run, and the view parts, the stage and the dialect, where they differ from the defaults (perspective,
-/// device_depth, given_normals, hashed_noise, visibility_only, compute, vulkan_glsl). Parts that do not fit
-/// fail to compile, with one sentence.
-template <class Sampler, class DepthSource, class Estimator, class... Rest>
+/// The first three parts, a sampler, a depth source and an estimator, make the main pass; the rest are
+/// filters, in the order in which they run, and the view parts, the stage and the dialect, where they differ
+/// from the defaults (perspective, device_depth, given_normals, hashed_noise, visibility_only, compute,
+/// vulkan_glsl). In place of the three may stand a preset, as in `effect<preset::medium, bent_cone>`: the
+/// parts behind it take the place of those of the preset that have the same role. Parts that do not fit fail
+/// to compile, with one sentence.
+template <class First, class... Rest>
 struct effect {
     /// Asserted: whether the parts make an effect.
-    static constexpr bool is_legal = rules::assert_all<Sampler, DepthSource, Estimator, Rest...>();
+    static constexpr bool is_legal = rules::assert_all<First, Rest...>();
 
     /// The parts with their numbers: a `recipe` of them is the same effect at run time.
-    static constexpr choice choices[] = {
-        rules::choice_or_none<Sampler>(), rules::choice_or_none<DepthSource>(),
-        rules::choice_or_none<Estimator>(), rules::choice_or_none<Rest>()...};
+    static constexpr choice choices[] = {rules::choice_or_none<First>(), rules::choice_or_none<Rest>()...};
 
     /// The passes in the order of execution, geometry passes of the host among them.
     static constexpr const auto& passes = composing::all_of<effect>::passes;
@@ -246,5 +281,9 @@ struct effect {
     /// The same, without a word: an effect is passed where its data is asked for.
     constexpr operator effect_view() const { return view(); }
 };
+
+// The effect of a preset is that of its parts.
+template <a_preset Preset, class... Rest>
+struct effect<Preset, Rest...> : composing::preset_effect<typename Preset::parts, Rest...>::type {};
 
 }

@@ -65,10 +65,17 @@ struct part {
 /// The most numbers that a part may take.
 inline constexpr std::size_t most_numbers = 4;
 
+/// A value that an effect recommends in place of its part's.
+struct setting_value {
+    std::string_view name; ///< of a setting of the part
+    float value;           ///< in its range
+};
+
 /// A part with its numbers: what a template argument of `effect` or a word of a recipe comes down to.
 struct choice {
-    const part* what = nullptr;  ///< static
-    int numbers[most_numbers]{}; ///< in the order of `part::numbers`
+    const part* what = nullptr;                 ///< static
+    int numbers[most_numbers]{};                ///< in the order of `part::numbers`
+    array_view<const setting_value> settings{}; ///< that differ from what the part recommends; static
 
     /// A number by its name; `otherwise` where the part takes none of that name.
     constexpr int number_of(std::string_view name, int otherwise = 0) const {
@@ -113,8 +120,9 @@ struct shape_of {
     }
 };
 
-/// A type that names a part: it has `description`, `numbers` where the part takes any, and `needs` (a
-/// `traits<...>`) where it needs something of another part.
+/// A type that names a part: it has `description`, `numbers` where the part takes any, `needs` (a
+/// `traits<...>`) where it needs something of another part, and `recommended`, of `setting_value`, where it
+/// stands for the part with other settings.
 template <class T>
 concept a_part = requires {
     static_cast<const part*>(&T::description);
@@ -129,6 +137,8 @@ constexpr choice choice_of() {
         for (int value : Part::numbers)
             c.numbers[i++] = value;
     }
+    if constexpr (requires { Part::recommended; })
+        c.settings = Part::recommended;
     return c;
 }
 

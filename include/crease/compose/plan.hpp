@@ -109,6 +109,13 @@ constexpr void add_resources(plan& p, const choice& c, unsigned view_divisor) {
     }
 }
 
+constexpr float recommended(const choice& c, const setting& s) {
+    for (const setting_value& own : c.settings)
+        if (own.name == s.name)
+            return own.value;
+    return s.fallback;
+}
+
 constexpr void add_settings(plan& p, const choice& c) {
     for (const setting& s : c.what->settings) {
         bool is_there = false;
@@ -116,7 +123,7 @@ constexpr void add_settings(plan& p, const choice& c) {
             is_there = is_there || (before.name == s.name &&
                                     ((before.shared && s.shared) || before.part == c.what->name));
         if (!is_there)
-            p.settings.add({c.what->name, s.name, s.fallback, s.least, s.most, s.meaning, s.shared});
+            p.settings.add({c.what->name, s.name, recommended(c, s), s.least, s.most, s.meaning, s.shared});
     }
 }
 

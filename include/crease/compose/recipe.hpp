@@ -2,7 +2,9 @@
 #pragma once
 
 #include <crease/compose/plan.hpp>
+#include <crease/compose/preset.hpp>
 #include <crease/parts/all_parts.hpp>
+#include <crease/parts/presets.hpp>
 
 #include <string_view>
 
@@ -12,7 +14,9 @@ namespace crease {
 ///
 /// The text is `SAMPLER/DEPTH/ESTIMATOR` and then `/PART` for each filter, in the order in which they run,
 /// and for each other part that is not the default. A part is its name and, where it takes numbers,
-/// `:NxN...`; without them it has its defaults: `directions:8x4/single_layer/hbao/bilateral`.
+/// `:NxN...`; without them it has its defaults: `directions:8x4/single_layer/hbao/bilateral`. In place of the
+/// three may stand a preset, `preset:NAME[/PART...]`: the parts behind it take the place of those of the
+/// preset that have the same role, filters of all its filters.
 class recipe {
 public:
     /// The same choices as values, in the same order.
@@ -23,15 +27,24 @@ public:
         conclude();
     }
 
-    /// From text. `known` are the parts that it may name: a host adds its own to `all_parts`.
-    constexpr recipe(std::string_view text, array_view<const part* const> known = all_parts) {
-        while (error_.count == 0) {
+    /// From text. `known` and `presets` are what it may name: a host adds its own to `all_parts` and
+    /// `all_presets`.
+    constexpr recipe(std::string_view text, array_view<const part* const> known = all_parts,
+                     array_view<const preset_description* const> presets = all_presets) {
+        const preset_description* preset = nullptr;
+        for (bool first = true; error_.count == 0; first = false) {
             const std::size_t slash = text.find('/');
-            read_part(text.substr(0, slash), known);
+            const std::string_view word = text.substr(0, slash);
+            if (first && word.starts_with(preset_prefix))
+                preset = find_preset(word.substr(preset_prefix.size()), presets);
+            else
+                read_part(word, known);
             if (slash == std::string_view::npos)
                 break;
             text.remove_prefix(slash + 1);
         }
+        if (preset)
+            choices_ = combine(preset->parts, choices_);
         conclude();
     }
 
@@ -48,6 +61,17 @@ public:
     constexpr fixed_text<512> text() const { return recipe_text(choices_); }
 
 private:
+    static constexpr std::string_view preset_prefix = "preset:";
+
+    constexpr const preset_description* find_preset(std::string_view name,
+                                                    array_view<const preset_description* const> presets) {
+        for (const preset_description* p : presets)
+            if (p->name == name)
+                return p;
+        refuse("there is no preset of the name", name);
+        return nullptr;
+    }
+
     constexpr void conclude() {
         if (error_.count == 0)
             error_ = check(choices()).message();
