@@ -41,11 +41,12 @@ double radius_inside(const picture& p, const receiver& r, double radius) {
     return std::min(radius, std::hypot(p.width, p.height) / 2 / texels);
 }
 
-glm::dvec2 noise(int x, int y, const settings& s) {
+glm::dvec3 noise(int x, int y, const settings& s) {
     if (s.tile > 0) {
         const double place = (static_cast<double>(s.frame) * s.tile + y % s.tile) * s.tile + x % s.tile;
         return {std::fmod(0.5 + place * (std::sqrt(5.0) - 1) / 2, 1.0),
-                std::fmod(0.5 + place * (std::sqrt(2.0) - 1), 1.0)};
+                std::fmod(0.5 + place * (std::sqrt(2.0) - 1), 1.0),
+                std::fmod(0.5 + place * (std::sqrt(3.0) - 1), 1.0)};
     }
     std::uint32_t v[3] = {static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), s.frame};
     for (std::uint32_t& c : v)
@@ -58,7 +59,7 @@ glm::dvec2 noise(int x, int y, const settings& s) {
     for (std::uint32_t& c : v)
         c ^= c >> 16;
     mix();
-    return {(v[0] >> 8) / 16777216.0, (v[1] >> 8) / 16777216.0};
+    return {(v[0] >> 8) / 16777216.0, (v[1] >> 8) / 16777216.0, (v[2] >> 8) / 16777216.0};
 }
 
 glm::dvec2 texel_offset(const picture& p, const receiver& r, glm::dvec3 offset) {

@@ -11,13 +11,14 @@ namespace oracle {
 
 /// The settings of an effect, as its parts name them.
 struct settings {
-    double radius = 1, bias = 0, threshold = 0, strength = 1, exponent = 1, sharpness = 8, falloff = 1;
+    double radius = 1, bias = 0, threshold = 0, strength = 1, exponent = 1, sharpness = 8, falloff = 1,
+           thickness = 0, thin_occluders = 0;
     std::uint32_t frame = 0;
     int tile = 0; ///< side of the tile of the noise; 0: it is hashed
 };
 
-/// Two numbers in [0, 1) of a pixel and a frame.
-glm::dvec2 noise(int x, int y, const settings& s);
+/// Three numbers in [0, 1) of a pixel and a frame.
+glm::dvec3 noise(int x, int y, const settings& s);
 
 /// A texel that a sampler proposes; for point samplers also the point, on the ray of the texel.
 struct tap {

@@ -72,7 +72,7 @@ float crease_depth_at(vec2 texel) {
 }
 
 vec3 crease_view_position(vec2 texel, float depth) {
-    return vec3(texel * crease_view.from_texel.xy + crease_view.from_texel.zw, -1.0) * depth;
+    return vec3((texel * crease_view.from_texel.xy + crease_view.from_texel.zw) * depth, -depth);
 }
 
 vec3 crease_to_eye(vec3 position) { return -normalize(position); }
