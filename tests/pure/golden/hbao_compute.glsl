@@ -269,11 +269,13 @@ crease_march crease_begin_direction(crease_estimate estimate, crease_receiver re
 }
 const int crease_batch_size = 4;
 
-// A tap on the screen, at the centre of a texel.
+// A tap on the screen, at the centre of a texel, on the way along a half slice.
 struct crease_tap {
     vec2 texel;
-    bool inside;  // whether the texel is in the depth image; else it has no weight
-    float weight; // of the tap among those of the receiver, in a mean over the distances or the area around it
+    bool inside;    // whether the texel is in the depth image; else it has no weight
+    float weight;   // of the tap among those of the receiver, in a mean over the distances or the area around it
+    float distance; // from the receiver, radii, more than 0
+    float gap;      // between the taps around it, as a share of its distance
 };
 
 // One layer, the depth image's.
@@ -296,7 +298,9 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     for (int i = 1; i < crease_directions_power; ++i)
         density *= along;
     vec2 texel = floor(pattern.first + pattern.march * (along * density));
-    return crease_tap(texel, crease_inside(texel), pattern.share * density);
+    float distance = pattern.share * pow(along / float(crease_directions_steps), float(crease_directions_power));
+    return crease_tap(texel, crease_inside(texel), pattern.share * density, distance,
+                      float(crease_directions_power) / max(along, 1e-4));
 }
 
 crease_layers crease_fetch_layers(vec2 texel) { return crease_layers(texel, crease_depth_at(texel)); }
