@@ -60,6 +60,23 @@ TEST_CASE("list: as JSON it holds every part, and recipes that compose") {
     CHECK_FALSE(recipes.contains("poisson_disk/single_layer/hbao"));
 }
 
+TEST_CASE("list: as JSON each preset has its recipe, its parts and what it was measured to be") {
+    const nlohmann::json presets = nlohmann::json::parse(expect_success("list --json")).at("presets");
+    REQUIRE(presets.size() == std::size(crease::all_presets));
+    for (const nlohmann::json& p : presets) {
+        const std::string text = p.at("recipe"), parts = p.at("parts");
+        CAPTURE(text);
+        CHECK(text == "preset:" + p.at("name").get<std::string>());
+        CHECK(crease::recipe(std::string_view(text)).text().view() == parts);
+        CHECK(p.at("settings").is_object());
+        const nlohmann::json& figures = p.at("figures");
+        CHECK(figures.at("rmse_linear").get<double>() > 0);
+        CHECK(figures.at("rmse_hard").get<double>() > figures["rmse_linear"].get<double>());
+        CHECK(figures.at("ssim_linear").get<double>() > 0.8);
+        CHECK(figures.at("time").get<double>() > 0);
+    }
+}
+
 TEST_CASE("list: as text it names the same") {
     const std::string text = expect_success("list");
     for (const crease::part* p : crease::all_parts) {
@@ -67,6 +84,8 @@ TEST_CASE("list: as text it names the same") {
         CHECK(text.find("\n  " + std::string(p->name) + " ") != std::string::npos);
     }
     CHECK(text.find("\n  directions/single_layer/hbao") != std::string::npos);
+    for (const crease::preset_description* p : crease::all_presets)
+        CHECK(text.find("\n  " + std::string(p->name) + " ") != std::string::npos);
 }
 
 TEST_CASE("list: as text each role has one heading, in the order of the index, before its parts") {

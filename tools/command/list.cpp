@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 
+#include "preset_figures.hpp"
+
 #include <crease/compose/composition.hpp>
 #include <crease/parts/all_parts.hpp>
 #include <crease/parts/presets.hpp>
@@ -77,16 +79,18 @@ json settings_of_preset(const preset_description& p) {
 }
 
 json describe(const preset_description& p) {
-    return {{"name", p.name},
-            {"summary", p.summary},
-            {"recipe", fmt::format("preset:{}", p.name)},
-            {"parts", recipe(p.parts).text().view()},
-            {"settings", settings_of_preset(p)},
-            {"figures",
-             {{"rmse_hard", p.figures.rmse_hard},
-              {"rmse_linear", p.figures.rmse_linear},
-              {"ssim_linear", p.figures.ssim_linear},
-              {"time", p.figures.time}}}};
+    json told{{"name", p.name},
+              {"summary", p.summary},
+              {"recipe", fmt::format("preset:{}", p.name)},
+              {"parts", recipe(p.parts).text().view()},
+              {"settings", settings_of_preset(p)}};
+    for (const preset_figures& f : measured_presets)
+        if (f.preset == p.name)
+            told["figures"] = {{"rmse_hard", f.rmse_hard},
+                               {"rmse_linear", f.rmse_linear},
+                               {"ssim_linear", f.ssim_linear},
+                               {"time", f.time}};
+    return told;
 }
 
 void print_json() {

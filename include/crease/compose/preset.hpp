@@ -12,21 +12,11 @@ namespace crease {
 template <class... Parts>
 struct part_list {};
 
-/// What a preset was measured to be, over nine views of three scenes at 640 x 360, the background left out:
-/// docs/benchmarks.md says how.
-struct preset_figures {
-    float rmse_hard = 0;   ///< to the hard truth, with an estimator that aims at it
-    float rmse_linear = 0; ///< to the linear truth
-    float ssim_linear = 0; ///< structural similarity to the linear truth
-    float time = 0;        ///< of all passes, that of directions:8x4/single_layer/hbao/bilateral being 1
-};
-
 /// Parts that go well together, under a name.
 struct preset_description {
     std::string_view name;          ///< behind "preset:" in recipes
     std::string_view summary;       ///< one line
     array_view<const choice> parts; ///< that make an effect; static
-    preset_figures figures{};       ///< 0 where nothing was measured
 };
 
 /// A type that names a preset: it has `parts`, a `part_list`, and `description`.

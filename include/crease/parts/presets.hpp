@@ -18,7 +18,7 @@ namespace crease::preset {
 /// Half resolution, about 8 fetches a pixel of the half: the least time.
 struct low {
     using parts = part_list<half_directions<1, 6>, single_layer, cosine_bitmask<1>,
-                            interleaved_gradient_noise, plane_filter<2>, upsample<2>>;
+                            interleaved_gradient_noise, separable_plane_filter<2>, upsample<2>>;
     static constexpr preset_description description{"low", "half resolution: the least time",
                                                     choices_in<parts>};
 };
@@ -41,7 +41,7 @@ struct high {
 /// About 32 fetches a pixel: what one layer of depth can say.
 struct ultra {
     using parts = part_list<half_directions<2, 15>, single_layer, cosine_bitmask<1>,
-                            interleaved_gradient_noise, plane_filter<3>>;
+                            interleaved_gradient_noise, separable_plane_filter<3>>;
     static constexpr preset_description description{
         "ultra", "two directions of 15 taps: what one layer of depth can say", choices_in<parts>};
 };

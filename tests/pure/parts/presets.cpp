@@ -21,17 +21,13 @@ TEST_CASE("each preset is the same effect at compile time and by name") {
     check_equal_to<effect<preset::ultra_layers>>("preset:ultra_layers");
 }
 
-TEST_CASE("presets have names and summaries of their own, and say what they err") {
+TEST_CASE("presets have names and summaries of their own") {
     std::set<std::string_view> names, summaries;
     for (const preset_description* p : all_presets) {
         CAPTURE(std::string(p->name));
         CHECK(names.insert(p->name).second);
         CHECK(summaries.insert(p->summary).second);
         CHECK(recipe(p->parts));
-        CHECK(p->figures.rmse_linear > 0);
-        CHECK(p->figures.rmse_hard > p->figures.rmse_linear);
-        CHECK(p->figures.ssim_linear > 0.8f);
-        CHECK(p->figures.time > 0);
     }
 }
 
