@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 
 namespace crease::tools {
 
@@ -187,10 +188,13 @@ std::optional<std::string> next_candidate(std::span<const trial> trials, const b
     // Each trial has dice of its own, so that a search that goes on throws as one that was never interrupted.
     dice random(seed * 0x9e3779b97f4a7c15u + trials.size());
     const std::optional<std::size_t> best = best_of(trials, limits);
+    std::set<std::string> known; // with all their numbers
+    for (const trial& t : trials)
+        known.insert(draft_of(t.candidate).text());
     for (int attempt = 0; attempt < 100; ++attempt) {
         const std::size_t parent = best && random.below(2) == 0 ? *best : random.one_of(front);
         const std::string text = changed(draft_of(trials[parent].candidate), random).text();
-        if (std::ranges::none_of(trials, [&](const trial& t) { return t.candidate == text; }))
+        if (!known.contains(text))
             return text;
     }
     return {};
