@@ -37,6 +37,12 @@ struct chart {
     double column(double value) const { return left + x.share(std::log10(value)) * (width - left - right); }
     double row(double value) const { return top + (1 - y.share(value)) * (height - top - bottom); }
 
+    void dot(const chart_point& p, double radius) const {
+        cairo_new_path(on); // or a line leads to it from the last text
+        cairo_arc(on, column(p.x), row(p.y), radius, 0, 2 * std::numbers::pi);
+        cairo_fill(on);
+    }
+
     void say(double at_x, double at_y, const std::string& text) const {
         cairo_move_to(on, at_x, at_y);
         cairo_show_text(on, text.c_str());
@@ -90,18 +96,16 @@ std::string front_chart(std::span<const chart_point> points, const std::string& 
                       range_of(points, [](const chart_point& p) { return p.y; })};
     drawn.draw_axes(x, y);
     cairo_set_source_rgb(on.get(), 0.6, 0.6, 0.6);
-    for (const chart_point& p : points) {
-        cairo_arc(on.get(), drawn.column(p.x), drawn.row(p.y), 2.5, 0, 2 * std::numbers::pi);
-        cairo_fill(on.get());
-    }
+    for (const chart_point& p : points)
+        drawn.dot(p, 2.5);
     cairo_set_source_rgb(on.get(), 0.1, 0.3, 0.7);
+    cairo_new_path(on.get());
     for (const chart_point& p : named)
         cairo_line_to(on.get(), drawn.column(p.x), drawn.row(p.y));
     cairo_stroke(on.get());
     for (std::size_t i = 0; i < named.size(); ++i) {
         const chart_point& p = named[i];
-        cairo_arc(on.get(), drawn.column(p.x), drawn.row(p.y), 4, 0, 2 * std::numbers::pi);
-        cairo_fill(on.get());
+        drawn.dot(p, 4);
         drawn.say(drawn.column(p.x) + 6, drawn.row(p.y) - 6, fmt::format("{}", i + 1));
         drawn.say(left, height + line_height * static_cast<double>(i + 1),
                   fmt::format("{}  {}", i + 1, p.name));
