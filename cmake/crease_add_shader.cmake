@@ -2,13 +2,22 @@
 include_guard()
 
 # crease_add_shader(<target> [RECIPE] <recipe> [STAGE compute|fragment] [DIALECT vulkan|opengl]
-#                   [SHAPE program|functions] [FORMAT header|spirv|glsl] [NAME <name>])
+#                   [SHAPE program|functions] [FORMAT header|spirv|spirv-asm|glsl] [NAME <name>]
+#                   [OPTIMISE speed|size] [STRIP] [TARGET_ENV vulkan1.0|vulkan1.1|vulkan1.2|vulkan1.3])
 #
 # Makes the shaders of a recipe while <target> is built, each call by a build step of its own. With FORMAT header, the
-# default, <target> can `#include <NAME.hpp>`; with the others the files lie in <NAME>/ below the same include
-# directory. NAME is an identifier, by default `shader`.
+# default, <target> can `#include <NAME.hpp>`, which includes headers of crease; with the others the files lie in NAME/
+# below the same include directory. NAME, by default `shader`, is an identifier that names the header, its namespace
+# and the manifest NAME.json, which docs/manifest.md describes. What is not said is as the recipe says. The options of
+# SPIR-V are those of crease_emit.
+#
+# Where crease is part of the build, crease_emit is built for the first call; else it comes with the installed package.
 function(crease_add_shader target)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "RECIPE;STAGE;DIALECT;SHAPE;FORMAT;NAME" "")
+    set(choices STAGE DIALECT SHAPE FORMAT OPTIMISE TARGET_ENV)
+    cmake_parse_arguments(PARSE_ARGV 1 arg STRIP "RECIPE;NAME;${choices}" "")
+    if(NOT TARGET ${target})
+        message(FATAL_ERROR "crease_add_shader: there is no target '${target}'")
+    endif()
     if(NOT arg_RECIPE)
         list(POP_FRONT arg_UNPARSED_ARGUMENTS arg_RECIPE)
     endif()
@@ -18,34 +27,84 @@ function(crease_add_shader target)
     if(arg_UNPARSED_ARGUMENTS)
         message(FATAL_ERROR "crease_add_shader: what is '${arg_UNPARSED_ARGUMENTS}'?")
     endif()
-    if(NOT TARGET crease::emit)
-        message(FATAL_ERROR "crease_add_shader: crease was built without crease_emit; set CREASE_EMIT and CREASE_SPIRV")
+    if(arg_KEYWORDS_MISSING_VALUES)
+        message(FATAL_ERROR "crease_add_shader: nothing follows ${arg_KEYWORDS_MISSING_VALUES}")
     endif()
-    foreach(choice "STAGE compute" "DIALECT vulkan" "SHAPE program" "FORMAT header" "NAME shader")
-        string(REGEX MATCH "^([A-Z]+) (.+)$" matched "${choice}")
-        if(NOT arg_${CMAKE_MATCH_1})
-            set(arg_${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
+    if(NOT DEFINED arg_NAME)
+        set(arg_NAME shader)
+    endif()
+    if(NOT DEFINED arg_FORMAT)
+        set(arg_FORMAT header)
+    endif()
+    crease_check_name(${target} "${arg_NAME}")
+    set(STAGE_words compute fragment)
+    set(DIALECT_words vulkan opengl)
+    set(SHAPE_words program functions)
+    set(FORMAT_words header spirv spirv-asm glsl)
+    set(OPTIMISE_words speed size)
+    set(TARGET_ENV_words vulkan1.0 vulkan1.1 vulkan1.2 vulkan1.3)
+    set(options "")
+    foreach(choice IN LISTS choices)
+        if(NOT DEFINED arg_${choice})
+            continue()
         endif()
+        if(NOT arg_${choice} IN_LIST ${choice}_words)
+            list(JOIN ${choice}_words ", " words)
+            message(FATAL_ERROR "crease_add_shader: ${choice} is '${arg_${choice}}', and may be: ${words}")
+        endif()
+        string(TOLOWER --${choice} option)
+        string(REPLACE _ - option ${option})
+        list(APPEND options ${option} ${arg_${choice}})
     endforeach()
+    if(arg_STRIP)
+        list(APPEND options --strip)
+    endif()
+    if(NOT TARGET crease::emit)
+        crease_bring_emit()
+    endif()
 
-    set(directory ${CMAKE_CURRENT_BINARY_DIR}/crease_shaders/${target})
+    # A directory for each name, so that a header of a name that is no longer used is not found.
+    set(directory ${CMAKE_CURRENT_BINARY_DIR}/crease_shaders/${target}/${arg_NAME})
     if(arg_FORMAT STREQUAL header)
         set(destination ${directory})
-        set(output ${directory}/${arg_NAME}.hpp)
-        set(stamp "")
+        set(header ${directory}/${arg_NAME}.hpp)
     else()
         set(destination ${directory}/${arg_NAME})
-        set(output ${destination}/emitted)
-        set(stamp COMMAND ${CMAKE_COMMAND} -E touch ${output}) # which files a recipe makes is known only by then
+        set(header "")
     endif()
+    set(output ${header} ${destination}/${arg_NAME}.json) # which files a recipe makes only the manifest knows
     add_custom_command(
         OUTPUT ${output}
-        COMMAND crease::emit ${arg_RECIPE} --stage ${arg_STAGE} --dialect ${arg_DIALECT} --shape ${arg_SHAPE}
-                --format ${arg_FORMAT} --name ${arg_NAME} -o ${destination}
-        ${stamp}
+        COMMAND crease::emit ${arg_RECIPE} ${options} --name ${arg_NAME} -o ${destination}
         DEPENDS crease::emit
-        COMMENT "crease: ${arg_RECIPE} (${arg_STAGE}, ${arg_DIALECT}, ${arg_SHAPE}, ${arg_FORMAT})"
+        COMMENT "crease: ${arg_NAME} from ${arg_RECIPE}"
         VERBATIM)
     target_sources(${target} PRIVATE ${output})
-    target_include_directories(${target} PRIVATE ${directory})
+    # Not target_link_libraries, whose two signatures do not mix in one target.
+    target_include_directories(${target} PRIVATE
+        ${directory} $<TARGET_PROPERTY:crease::crease,INTERFACE_INCLUDE_DIRECTORIES>)
+    target_compile_features(${target} PRIVATE cxx_std_20)
+endfunction()
+
+# The names that crease_emit refuses too.
+function(crease_check_name target name)
+    file(STRINGS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/crease_reserved_names.inc taken REGEX "^\"")
+    if(NOT name MATCHES "^[A-Za-z][A-Za-z0-9_]*$" OR name MATCHES "__" OR "\"${name}\"," IN_LIST taken)
+        message(FATAL_ERROR "crease_add_shader: the NAME '${name}' is no C++ identifier, or is a word of C++, reserved or "
+                            "another's")
+    endif()
+    get_property(names TARGET ${target} PROPERTY crease_shader_names)
+    if(name IN_LIST names)
+        message(FATAL_ERROR "crease_add_shader: ${target} has shaders of the NAME '${name}' already")
+    endif()
+    set_property(TARGET ${target} APPEND PROPERTY crease_shader_names ${name})
+endfunction()
+
+function(crease_bring_emit)
+    cmake_path(GET CMAKE_CURRENT_FUNCTION_LIST_DIR PARENT_PATH root)
+    if(NOT EXISTS ${root}/tools/emit/CMakeLists.txt)
+        message(FATAL_ERROR "crease_add_shader: this package of crease was installed without crease_emit; install one "
+                            "that was built with CREASE_EMIT")
+    endif()
+    add_subdirectory(${root}/tools/emit ${CMAKE_BINARY_DIR}/crease_emit EXCLUDE_FROM_ALL)
 endfunction()

@@ -28,4 +28,13 @@ write_basic_package_version_file(crease-config-version.cmake COMPATIBILITY SameM
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/crease-config.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/crease-config-version.cmake
               ${CMAKE_CURRENT_LIST_DIR}/crease_add_shader.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/crease_reserved_names.inc
         DESTINATION ${package_directory})
+
+# Beside what depends on no architecture, where two folders up is the prefix, wherever that is moved.
+set(emit_variable "")
+if(TARGET crease_emit)
+    set(emit_variable "emit=\${prefix}/${CMAKE_INSTALL_BINDIR}/crease_emit\n")
+endif()
+configure_file(${CMAKE_CURRENT_LIST_DIR}/crease.pc.in crease.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/crease.pc DESTINATION ${CMAKE_INSTALL_DATADIR}/pkgconfig)

@@ -49,6 +49,33 @@ TEST_CASE("disassembly keeps the names") {
     CHECK(contains(spirv::disassemble(spirv::compile(little::scale)), "OpName %crease_scale_gain"));
 }
 
+TEST_CASE(
+    "a function that is called from several places stays one in a small module, for drivers to inline") {
+    const piece pieces[] = {little::version,
+                            {"twice.glsl",
+                             "layout(std430, set = 0, binding = 0) buffer numbers { float x[]; };\n"
+                             "float far(float a) { return sin(a) * cos(a) + exp(a) * sqrt(a) + "
+                             "sin(cos(sin(cos(sin(cos(sin(cos(exp(sqrt(exp(sqrt(a)))))))))))); }\n"
+                             "float once(float a) { return a + 1.0; }\n"
+                             "void main() { x[0] = once(far(x[1])); x[2] = far(x[3]); }\n"}};
+    const spirv::words module = spirv::compile(pieces, spirv::shader_stage::compute);
+    const auto functions_of = [](const spirv::words& of) {
+        const std::string text = spirv::disassemble(of);
+        CHECK(!contains(text, "DontInline"));
+        std::size_t count = 0;
+        for (std::size_t at = 0; (at = text.find("OpFunction ", at)) != std::string::npos; ++at)
+            ++count;
+        return count;
+    };
+    const spirv::words fast = spirv::optimise(module, spirv::goal::speed),
+                       small = spirv::optimise(module, spirv::goal::size);
+    CHECK_NOTHROW(spirv::validate(small));
+    CHECK(functions_of(module) == 3);
+    CHECK(functions_of(fast) == 1);
+    CHECK(functions_of(small) == 2);
+    CHECK(small.size() < fast.size());
+}
+
 TEST_CASE("a stripped module is the same without names") {
     const spirv::words module = spirv::compile(little::scale);
     const spirv::words stripped = spirv::strip(module);

@@ -38,8 +38,9 @@ struct demo_options {
 };
 
 void emit_both(const std::filesystem::path& directory, const char* recipe_text) {
-    for (emit_format format : {emit_format::glsl, emit_format::spirv})
-        emit({.recipe = recipe_text, .format = format, .directory = directory});
+    emit({.recipe = recipe_text,
+          .formats = {emit_format::glsl, emit_format::spirv},
+          .directory = directory});
 }
 
 double total(const frame& made) {

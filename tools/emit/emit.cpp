@@ -1,26 +1,42 @@
 // SPDX-License-Identifier: MIT
 #include "emit.hpp"
 
+#include "enumerators.hpp"
+#include "header.hpp"
 #include "image/file.hpp"
+#include "image/file_set.hpp"
+#include "manifest.hpp"
+#include "name.hpp"
 
-#include <crease/spirv.hpp>
+#include <crease/compose/composition.hpp>
+#include <crease/spirv/disassemble.hpp>
 
 #include <fmt/format.h>
 
-#include <map>
+#include <algorithm>
 #include <memory>
-#include <span>
 #include <stdexcept>
 
 namespace crease::tools {
 
 namespace {
 
-std::string joined(std::span<const piece> pieces) {
-    std::string text;
-    for (const piece& p : pieces)
-        text += p.text;
-    return text;
+/// Adds a part that an option names, unless the recipe has it already.
+/// @throws std::runtime_error  where the recipe has another of its role
+void add_part(std::string& text, const recipe& given, role of, std::string_view option,
+              std::string_view part) {
+    for (const choice& c : given.choices())
+        if (c.what->kind == of && c.what->name == part)
+            return;
+        else if (c.what->kind == of)
+            throw std::runtime_error(fmt::format(
+                "the recipe says '{}' and the option --{} '{}': leave one out", c.what->name, option, part));
+    text.append("/").append(part);
+}
+
+bool says_functions(const recipe& given) {
+    return std::ranges::any_of(given.choices(),
+                               [](const choice& c) { return stage_of(*c.what) == stage_kind::functions; });
 }
 
 const char* extension(const pass& p) {
@@ -28,133 +44,128 @@ const char* extension(const pass& p) {
     return of_stage[static_cast<int>(p.stage)];
 }
 
-bool has_spirv(const pass& p) {
-    return p.stage != stage_kind::functions && p.stage != stage_kind::geometry &&
-           p.dialect == dialect_kind::vulkan;
+template <class Word>
+std::string bytes_of(const std::vector<Word>& words) {
+    return {reinterpret_cast<const char*>(words.data()), words.size() * sizeof(Word)};
 }
 
-spirv::words checked(spirv::words module) {
-    spirv::validate(module);
-    return module;
-}
+struct file {
+    std::string name, content;
+};
 
-std::string_view bytes_of(const spirv::words& module) {
-    return {reinterpret_cast<const char*>(module.data()), module.size() * sizeof(std::uint32_t)};
-}
-
-std::string word_array(std::string_view name, const spirv::words& module) {
-    std::string text = fmt::format("inline constexpr std::uint32_t {}[] = {{", name);
-    for (std::size_t i = 0; i < module.size(); ++i)
-        text += fmt::format("{}0x{:08x},", i % 8 == 0 ? "\n    " : " ", module[i]);
-    return text + "\n};\n\n";
-}
-
-std::string text_constant(std::string_view name, std::string_view glsl) {
-    // Adjacent literals, as a compiler may refuse one as long as a program.
-    std::string text = fmt::format("inline constexpr char {}[] =", name);
-    while (!glsl.empty()) {
-        const std::size_t line = glsl.find('\n') + 1;
-        const std::size_t end = line == 0 ? glsl.size() : line;
-        std::string escaped;
-        for (char c : glsl.substr(0, end))
-            escaped += c == '\n' ? "\\n" : c == '"' ? "\\\"" : c == '\\' ? "\\\\" : std::string(1, c);
-        text += "\n    \"" + escaped + "\"";
-        glsl.remove_prefix(end);
+/// Adds a file for each shader in a format; of a pass that has no SPIR-V its GLSL.
+void add_shaders(std::vector<file>& files, emission& of, emit_format format) {
+    const auto add = [&](std::size_t i, std::string_view stage, const std::string& stem,
+                         array_view<const piece> pieces, const spirv::words& words) {
+        const bool is_text = format == emit_format::glsl || words.empty();
+        const bool is_binary = format == emit_format::spirv;
+        const std::string name = stem + (is_text ? "" : is_binary ? ".spv" : ".spvasm");
+        std::vector<emitted_shader>& shaders = of.passes[i].shaders;
+        if (std::ranges::find(shaders, name, &emitted_shader::file) == shaders.end())
+            shaders.push_back({stage, is_text ? "glsl" : is_binary ? "spirv" : "spirv-asm", name, {}});
+        if (std::ranges::find(files, name, &file::name) == files.end())
+            files.push_back({name, is_text     ? joined(pieces)
+                                   : is_binary ? bytes_of(words)
+                                               : spirv::disassemble(words)});
+    };
+    for (std::size_t i = 0; i < of.passes.size(); ++i) {
+        const pass& p = of.effect.passes[i];
+        add(i, name_of(p.stage), fmt::format("{}_{}.{}", i, p.name, extension(p)), p.pieces,
+            of.passes[i].main);
+        if (!p.vertex_pieces.empty())
+            add(i, "vertex", "fullscreen.vert", p.vertex_pieces, of.passes[i].vertex);
     }
-    return text + ";\n\n";
 }
 
-/// The names of the passes as identifiers, each once.
-std::vector<std::string> unique_names(std::span<const pass> passes) {
-    std::vector<std::string> names;
-    std::map<std::string, int> count;
-    for (const pass& p : passes) {
-        const int nth = ++count[std::string(p.name)];
-        names.push_back(nth == 1 ? std::string(p.name) : fmt::format("{}_{}", p.name, nth));
-    }
-    return names;
+constexpr bool is_without_spirv(const pass& p) {
+    return p.stage == stage_kind::functions || p.dialect == dialect_kind::opengl;
 }
 
-std::string header(const emit_options& options, std::string_view recipe_text, std::span<const pass> passes) {
-    std::string text = fmt::format("// Made by crease from {}\n#pragma once\n\n#include <cstdint>\n\n"
-                                   "namespace {} {{\n\n",
-                                   recipe_text, options.name);
-    const std::vector<std::string> names = unique_names(passes);
-    for (std::size_t i = 0; i < passes.size(); ++i)
-        text += has_spirv(passes[i]) ? word_array(names[i], checked(spirv::compile(passes[i])))
-                                     : text_constant(names[i], joined(passes[i].pieces));
-    if (!passes.back().vertex_pieces.empty())
-        text += has_spirv(passes.back())
-                    ? word_array("fullscreen", checked(spirv::compile_vertex(passes.back())))
-                    : text_constant("fullscreen", joined(passes.back().vertex_pieces));
-    return text + "}\n";
+std::vector<file> files_of(emission& of, const std::set<emit_format>& formats) {
+    std::vector<file> files;
+    for (emit_format format : formats)
+        if (format == emit_format::header)
+            files.push_back({of.name + ".hpp", header(of)});
+        else
+            add_shaders(files, of, format);
+    const bool only_header = formats == std::set{emit_format::header};
+    for (const resource& r : of.effect.resources)
+        if (r.fill && !only_header)
+            files.push_back({texel_file(r), bytes_of(texels_of(r))});
+    return files;
 }
 
-bool is_identifier(std::string_view name) {
-    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
-    for (char c : name)
-        if (!letter(c) && !(c >= '0' && c <= '9'))
-            return false;
-    return !name.empty() && letter(name[0]);
+void expect_spirv(const emit_options& options, const effect_view& effect) {
+    const bool is_asked_for =
+        options.formats.contains(emit_format::spirv) || options.formats.contains(emit_format::spirv_asm);
+    if (is_asked_for && std::ranges::any_of(effect.passes, is_without_spirv))
+        throw std::runtime_error(
+            "SPIR-V can be emitted of programs in the vulkan dialect only: functions and the "
+            "opengl dialect come as GLSL, by --format glsl or header");
+    const bool makes_spirv =
+        options.formats != std::set{emit_format::glsl} && std::ranges::any_of(effect.passes, has_spirv);
+    if (options.spirv.any() && !makes_spirv)
+        throw std::runtime_error(
+            "--optimise, --strip and --target-env are of SPIR-V, and none is made here: take "
+            "--format spirv, spirv-asm or header and the vulkan dialect, or leave them out");
 }
 
 }
 
 recipe composed_recipe(const emit_options& options) {
+    const recipe given{std::string_view(options.recipe)};
     std::string text = options.recipe;
+    if (options.stage && options.shape == "functions")
+        throw std::runtime_error(
+            "--stage and --shape functions exclude each other: functions run in whatever "
+            "shader of the host's calls them");
+    if (options.stage)
+        add_part(text, given, role::stage, "stage", *options.stage);
     if (options.shape == "functions")
-        text += "/functions";
-    else if (options.stage != "compute")
-        text += "/" + options.stage;
-    if (options.dialect != "vulkan")
-        text += "/" + options.dialect;
+        add_part(text, given, role::stage, "shape", *options.shape);
+    else if (options.shape && says_functions(given))
+        throw std::runtime_error(
+            "the recipe says 'functions' and the option --shape 'program': leave one out");
+    if (options.dialect)
+        add_part(text, given, role::dialect, "dialect", *options.dialect);
     const recipe chosen{std::string_view(text)};
     if (!chosen)
         throw std::runtime_error(std::string(chosen.error()));
     return chosen;
 }
 
-std::vector<std::filesystem::path> emit(const emit_options& options) {
-    const recipe chosen = composed_recipe(options);
-    const auto composed = std::make_unique<composition>(chosen);
-    const std::span<const pass> passes = composed->view().passes;
-    if (options.format == emit_format::header && !is_identifier(options.name))
-        throw std::runtime_error(fmt::format("'{}' is no C++ identifier to name a header by", options.name));
-    if ((options.format == emit_format::spirv || options.format == emit_format::spirv_asm) &&
-        !has_spirv(passes[passes.size() - 1]))
-        throw std::runtime_error(
-            "SPIR-V can be emitted of programs in the vulkan dialect only: functions and the "
-            "opengl dialect come as GLSL, by --format glsl or header");
-    make_directory(options.directory);
+std::vector<std::filesystem::path> emit(emit_options options) {
+    expect_name(options.name);
+    if (options.formats.empty())
+        options.formats = {emit_format::glsl};
+    const auto composed = std::make_unique<composition>(composed_recipe(options));
+    if (!*composed)
+        throw std::runtime_error(std::string(composed->error()));
+    const effect_view effect = composed->view();
+    expect_spirv(options, effect);
+    const bool with_spirv = options.formats != std::set{emit_format::glsl};
+    emission made{effect, options.name, options.spirv, prepare(effect, with_spirv, options.spirv)};
+    const std::vector<file> files = files_of(made, options.formats);
 
+    std::vector<std::string> names;
+    for (const file& each : files)
+        names.push_back(each.name);
+    const std::string manifest_name = options.name + ".json";
+    std::vector<std::string> older = files_of_manifest(options.directory / manifest_name);
+    // The manifest goes first and comes last, so that no mixture ever looks whole.
+    older.insert(older.begin(), manifest_name);
+    {
+        file_set pending(options.directory);
+        for (const file& each : files)
+            write_atomically(pending / each.name, each.content);
+        pending.appear(older);
+    }
+    write_atomically(options.directory / manifest_name, manifest(made, names));
+
+    names.push_back(manifest_name);
     std::vector<std::filesystem::path> written;
-    const auto write = [&](const std::string& name, std::string_view bytes) {
+    for (const std::string& name : names)
         written.push_back(options.directory / name);
-        write_atomically(written.back(), bytes);
-    };
-    const auto write_module = [&](const std::string& stem, const spirv::words& module) {
-        if (options.format == emit_format::spirv)
-            write(stem + ".spv", bytes_of(module));
-        else
-            write(stem + ".spvasm", spirv::disassemble(module));
-    };
-    if (options.format == emit_format::header) {
-        write(options.name + ".hpp", header(options, chosen.text().view(), passes));
-        return written;
-    }
-    for (std::size_t i = 0; i < passes.size(); ++i) {
-        const std::string stem = fmt::format("{}_{}.{}", i, passes[i].name, extension(passes[i]));
-        if (options.format == emit_format::glsl || passes[i].stage == stage_kind::geometry)
-            write(stem, joined(passes[i].pieces)); // of geometry the host's shader makes a program
-        else
-            write_module(stem, checked(spirv::compile(passes[i])));
-    }
-    if (!passes.back().vertex_pieces.empty()) {
-        if (options.format == emit_format::glsl)
-            write("fullscreen.vert", joined(passes.back().vertex_pieces));
-        else
-            write_module("fullscreen.vert", checked(spirv::compile_vertex(passes.back())));
-    }
     return written;
 }
 

@@ -8,9 +8,14 @@ int main(int count, char** arguments) {
     CLI::App app{"Emits the shaders of a recipe", "crease_emit"};
     crease::tools::emit_options options;
     crease::tools::add_emit_arguments(app, options);
-    CLI11_PARSE(app, count, arguments);
     try {
+        app.parse(count, arguments);
         crease::tools::emit(options);
+    } catch (const CLI::Success& help) {
+        return app.exit(help);
+    } catch (const CLI::ParseError& error) {
+        fmt::print(stderr, "crease_emit: {}\nRun crease_emit --help for its arguments.\n", error.what());
+        return 2;
     } catch (const std::exception& failure) {
         fmt::print(stderr, "crease_emit: {}\n", failure.what());
         return 1;

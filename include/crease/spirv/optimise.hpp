@@ -4,17 +4,56 @@
 #include <crease/spirv/validate.hpp>
 
 #include <spirv-tools/optimizer.hpp>
+#include <spirv/unified1/spirv.hpp>
 
+#include <map>
 #include <span>
 
 namespace crease::spirv {
 
 /// What a module is optimised for.
-enum class goal : unsigned char { speed, size };
+enum class goal : unsigned char {
+    speed, ///< all functions in one, as much as is known beforehand worked out
+    size   ///< the same, but that a function which is called from several places stays one
+};
 
 }
 
 namespace crease::spirv::detail {
+
+/// Calls `use` with the words of each instruction, of which the first holds the opcode, as far as the module
+/// is whole.
+template <class Use>
+void for_each_instruction(std::span<std::uint32_t> module, Use use) {
+    constexpr std::size_t header = 5;
+    for (std::size_t at = header, count = 0; at < module.size(); at += count) {
+        count = module[at] >> 16;
+        if (count == 0 || count > module.size() - at)
+            return;
+        use(static_cast<spv::Op>(module[at] & 0xffff), module.subspan(at, count));
+    }
+}
+
+/// Marks the functions that are called from several places, so that the optimiser copies them to none.
+inline void keep_shared_functions(std::span<std::uint32_t> module) {
+    std::map<std::uint32_t, int> calls;
+    for_each_instruction(module, [&](spv::Op code, std::span<std::uint32_t> instruction) {
+        if (code == spv::OpFunctionCall && instruction.size() > 3)
+            ++calls[instruction[3]];
+    });
+    for_each_instruction(module, [&](spv::Op code, std::span<std::uint32_t> instruction) {
+        if (code == spv::OpFunction && instruction.size() > 3 && calls[instruction[2]] > 1)
+            instruction[3] |= spv::FunctionControlDontInlineMask;
+    });
+}
+
+/// Takes the marks away again: a driver decides for itself.
+inline void let_drivers_inline(std::span<std::uint32_t> module) {
+    for_each_instruction(module, [](spv::Op code, std::span<std::uint32_t> instruction) {
+        if (code == spv::OpFunction)
+            instruction[3] &= ~static_cast<std::uint32_t>(spv::FunctionControlDontInlineMask);
+    });
+}
 
 /// Runs what is registered. Constants and bindings that nothing uses stay.
 /// @throws error  where the module is not valid; `done` ends its sentence, as in "optimised"
@@ -34,18 +73,23 @@ inline words run(spvtools::Optimizer& optimizer, std::span<const std::uint32_t> 
 
 namespace crease::spirv {
 
-/// The module after SPIRV-Tools' standard optimisations. Specialization constants and bindings all survive,
-/// so what an effect declares of its passes stays true of it.
+/// The module after SPIRV-Tools' standard optimisations for the goal. Specialization constants and bindings
+/// all survive, so what an effect declares of its passes stays true of it.
 /// @param version  that the module was made for
 /// @throws error  where the module is not valid
 inline words optimise(std::span<const std::uint32_t> module, goal aim,
                       vulkan_version version = vulkan_version::v1_1) {
     spvtools::Optimizer optimizer(detail::environment_of(version));
-    if (aim == goal::speed)
+    if (aim == goal::speed) {
         optimizer.RegisterPerformancePasses();
-    else
-        optimizer.RegisterSizePasses();
-    return detail::run(optimizer, module, "optimised");
+        return detail::run(optimizer, module, "optimised");
+    }
+    optimizer.RegisterSizePasses();
+    words marked(module.begin(), module.end());
+    detail::keep_shared_functions(marked);
+    words small = detail::run(optimizer, marked, "optimised");
+    detail::let_drivers_inline(small);
+    return small;
 }
 
 /// The module without the names and lines that debuggers show; what it does is the same.

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: MIT
+include_guard()
+
+# crease_find(<missing> <package>...): looks for packages, a version after a space, and lists those that are not there.
+# Their targets are seen by hosts too, which link what links them.
+function(crease_find missing)
+    set(not_found "")
+    foreach(wanted IN LISTS ARGN)
+        string(REPLACE " " ";" wanted "${wanted}")
+        list(GET wanted 0 name)
+        if(name STREQUAL cairo) # has no package of its own
+            find_package(PkgConfig QUIET)
+            if(PkgConfig_FOUND)
+                pkg_check_modules(cairo QUIET IMPORTED_TARGET GLOBAL cairo)
+            endif()
+        else()
+            find_package(${wanted} QUIET GLOBAL)
+        endif()
+        if(NOT ${name}_FOUND)
+            list(JOIN wanted " " wanted)
+            list(APPEND not_found "${wanted}")
+        endif()
+    endforeach()
+    list(JOIN not_found ", " not_found)
+    set(${missing} "${not_found}" PARENT_SCOPE)
+endfunction()
+
+# crease_settle(<part> [PARTS <part>...] [PACKAGES <package>...])
+#
+# Makes of the option CREASE_<part> ON or OFF in the caller's scope. AUTO is ON where the other parts are and all
+# packages were found, and else OFF, with a line that says what is missing; ON is a request that fails with that line.
+function(crease_settle part)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "PARTS;PACKAGES")
+    if(NOT CREASE_${part})
+        return()
+    endif()
+    crease_find(missing ${arg_PACKAGES})
+    foreach(other IN LISTS arg_PARTS)
+        if(NOT CREASE_${other})
+            list(PREPEND missing CREASE_${other})
+        endif()
+    endforeach()
+    list(JOIN missing ", " missing)
+    if(missing AND CREASE_${part} STREQUAL AUTO)
+        message(STATUS "crease: CREASE_${part} is off, as it needs ${missing}")
+        set(CREASE_${part} OFF PARENT_SCOPE)
+    elseif(missing)
+        message(FATAL_ERROR "crease: CREASE_${part} needs ${missing}; install it or set CREASE_${part} to AUTO or OFF")
+    else()
+        set(CREASE_${part} ON PARENT_SCOPE)
+    endif()
+endfunction()
