@@ -39,7 +39,10 @@ public:
             throw std::runtime_error(std::string(what) + " fails, VkResult " + std::to_string(result));
     }
 
+    VkPhysicalDevice physical() const { return physical_; }
     VkDevice device() const { return device_; }
+    VkQueue queue() const { return queue_; }
+    std::uint32_t queue_family() const { return family_; }
 
     /// Makes an object that lives as long as the renderer: make<VkSampler>(vkCreateSampler, info,
     /// vkDestroySampler).

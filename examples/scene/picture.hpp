@@ -27,6 +27,14 @@ inline float mean_around(const std::vector<std::uint8_t>& visibility, const matr
     return sum / (255 * (2 * reach + 1) * (2 * reach + 1));
 }
 
+/// Shares of light as they are shown.
+inline std::vector<std::uint8_t> bytes_of(const std::vector<float>& visibility) {
+    std::vector<std::uint8_t> bytes;
+    for (float share : visibility)
+        bytes.push_back(static_cast<std::uint8_t>(255 * share + 0.5f));
+    return bytes;
+}
+
 /// Writes a PGM picture, top row first.
 /// @throws std::runtime_error  where the file cannot be written
 inline void write_pgm(const std::string& path, const std::vector<std::uint8_t>& visibility,

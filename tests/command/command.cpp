@@ -81,9 +81,12 @@ scene_files::scene_files(bool wall) {
                      "near": 0.5, "far": 100, "width": 64, "height": 36, "ao_radius": 2}])");
 }
 
+std::string scene_files::scene() const {
+    return "'" + (folder_ / "scene.obj").string() + "'";
+}
+
 std::string scene_files::arguments() const {
-    return "'" + (folder_ / "scene.obj").string() + "' --cameras '" +
-           (folder_ / "scene.cameras.json").string() + "'";
+    return scene() + " --cameras '" + (folder_ / "scene.cameras.json").string() + "'";
 }
 
 double scene_files::x_of(unsigned column) {

@@ -46,6 +46,9 @@ public:
     /// @param wall  whether a wall stands on the ground at x = 0, to the left of the middle
     explicit scene_files(bool wall);
 
+    /// The scene's file, in quotes; its cameras are beside it.
+    std::string scene() const;
+
     /// The arguments of a command that takes a scene.
     std::string arguments() const;
 

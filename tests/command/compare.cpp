@@ -60,6 +60,21 @@ TEST_CASE("compare: what is far is left out") {
     CHECK(far.at("bias") == 0.25);
 }
 
+TEST_CASE("compare: a file of lines in CR LF is the same picture") {
+    const pictures p;
+    std::string bytes = content_of(p.folder / "test.pfm");
+    for (std::size_t at = 0, line = 0; line < 3; ++line, at += 2)
+        bytes.insert(at = bytes.find('\n', at), "\r");
+    p.folder.put("crlf.pfm", bytes);
+    const nlohmann::json same =
+        nlohmann::json::parse(expect_success("compare " + p("crlf.pfm") + " " + p("test.pfm") + " --json"));
+    CHECK(same.at("max_abs") == 0);
+    p.folder.put("longer.pfm", content_of(p.folder / "test.pfm") + "x");
+    const ended longer = crease_command("compare " + p("longer.pfm") + " " + p("test.pfm"));
+    CHECK(longer.status == 1);
+    CHECK(longer.complained.find("and 1 more follow them") != std::string::npos);
+}
+
 TEST_CASE("compare: as text it has a line of each number") {
     const pictures p;
     const std::string text = expect_success("compare " + p("test.pfm") + " " + p("reference.pfm"));

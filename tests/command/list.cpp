@@ -2,6 +2,7 @@
 #include "command.hpp"
 
 #include <crease/compose/recipe.hpp>
+#include <crease/effect/version.hpp>
 #include <crease/parts/all_parts.hpp>
 
 #include <doctest/doctest.h>
@@ -15,6 +16,13 @@ unsigned occurrences(const std::string& of, const std::string& in) {
     return count;
 }
 
+}
+
+TEST_CASE("list: the version and the exit status are told") {
+    CHECK(expect_success("--version") == "crease " + std::string(crease::version) + "\n");
+    CHECK(expect_success("--help").find("Exit status: 0 done; 1 it failed; 2 the arguments are wrong.") !=
+          std::string::npos);
+    CHECK(crease_command("list >/dev/full").status == 1);
 }
 
 TEST_CASE("list: as JSON it holds every part, and recipes that compose") {
@@ -79,7 +87,7 @@ TEST_CASE("list: as text a setting reads as --set takes it, with its part where 
     const std::string text = expect_success("list");
     CHECK(occurrences("--set hbao.bias=", text) == 1);
     CHECK(occurrences("--set bilateral.sharpness=", text) == 1);
-    CHECK(occurrences("--set upsample.sharpness=", text) == 1);
+    CHECK(occurrences("--set plane_reach=0.05 (0 to 10, for all parts that have it)", text) >= 1);
     CHECK(occurrences("--set strength=1.15 (0 to 16, for all parts that have it)", text) >= 1);
     CHECK(occurrences("hbao.strength", text) == 0);
 }

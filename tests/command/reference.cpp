@@ -102,3 +102,40 @@ TEST_CASE("reference: the mask is where what is hidden takes more than 0.15") {
     CHECK(hidden < 64 * 36 / 4);
     CHECK(json_in(built_in.folder / "out/meta.json").at("seed") == 7);
 }
+
+TEST_CASE("reference: cameras beside the scene, or one that is fitted, and a line of each") {
+    const scene_files scene(true);
+    const temporary_folder folder;
+    const std::string to = " --rays 1 --width 16 --height 9 -o '" + (folder / "out").string() + "'";
+    const std::string said = expect_success("reference " + scene.scene() + to);
+    CHECK(said.find("from 'above', 16 x 9, by 1 rays a texel\n") != std::string::npos);
+    CHECK(std::ranges::count(said, '\n') == 1);
+    const std::string alone =
+        folder.put("alone.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 2 3\nf 1 2 4\n").string();
+    const ended done = crease_command("reference '" + alone + "'" + to);
+    CHECK(done.status == 0);
+    CHECK(done.complained.find("alone.cameras.json; a camera is fitted to the scene: eye ") !=
+          std::string::npos);
+    CHECK(json_in(folder / "out/meta.json").at("camera") == "fitted");
+    std::vector<float> depths = read_image(folder / "out/depth.pfm").texels;
+    CHECK(std::ranges::count_if(depths, [](float z) { return z < 30; }) > 10);
+}
+
+TEST_CASE("reference: a folder holds the files of one run, or those of the run before") {
+    const temporary_folder folder;
+    const std::string out = (folder / "out").string(), to = " --width 16 --height 9 -o '" + out + "'";
+    expect_success("reference built-in --rays 1 --mask" + to);
+    folder.put("out/mine", "kept");
+    const std::set<std::string> masked = files_in(out);
+    CHECK(masked.contains("mask.png"));
+    const std::string before = content_of(folder / "out/meta.json");
+    // Nothing can be replaced by what is a folder.
+    std::filesystem::remove(folder / "out/depth.pfm");
+    std::filesystem::create_directory(folder / "out/depth.pfm");
+    CHECK(crease_command("reference built-in --rays 2" + to).status == 1);
+    CHECK(content_of(folder / "out/meta.json") == before);
+    std::filesystem::remove(folder / "out/depth.pfm");
+    expect_success("render built-in --recipe directions:2x2/single_layer/hbao" + to);
+    CHECK(files_in(out) == std::set<std::string>{"ao.pfm", "ao.png", "depth.pfm", "frame.exr", "meta.json",
+                                                 "mine", "normal.pfm"});
+}

@@ -148,3 +148,43 @@ TEST_CASE("render: captures have their times apart from passes, and the recipe s
     CHECK(meta["passes"][0].at("name") == "pack_layers");
     CHECK(meta["passes"][1].at("name") == "visibility");
 }
+
+TEST_CASE("render: orthographic and off-centre, at each kind of depth") {
+    const scene_files plane(false);
+    for (const std::string lens :
+         {"", "--orthographic ", "--shift 0.25 -0.5 ", "--orthographic --shift 0.25 -0.5 "})
+        for (const std::string kind : {"reversed", "standard", "infinite"}) {
+            if (lens.starts_with("--ortho") && kind == "infinite")
+                continue;
+            CAPTURE(lens);
+            CAPTURE(kind);
+            const render_files seen(plane.scene(),
+                                    "--recipe directions:4x4/single_layer/hbao --depth " + kind + " " + lens);
+            for (const float depth : seen["depth.pfm"].texels)
+                CHECK(std::abs(depth - 4) <= 1e-4f);
+            for (const float visible : seen["ao.pfm"].texels)
+                CHECK(visible == 1);
+            const nlohmann::json meta = json_in(seen.folder / "out/meta.json");
+            CHECK(meta.at("depth") == kind);
+            CHECK(meta.at("projection") == (lens.starts_with("--ortho") ? "orthographic" : "perspective"));
+            CHECK((meta.at("recipe").get<std::string>().find("/orthographic") != std::string::npos) ==
+                  lens.starts_with("--ortho"));
+        }
+}
+
+TEST_CASE("render: a run that fails leaves the folder as it was, and one that ends says so in a line") {
+    const temporary_folder folder;
+    const std::string out = (folder / "out").string();
+    const std::string render = "render built-in --width 16 --height 9 -o '" + out +
+                               "' --recipe directions:2x2/single_layer/hbao --set strength=";
+    const std::string said = expect_success(render + "1");
+    CHECK(said.starts_with(out + ": visibility of 'built-in' from 'overview', 16 x 9, in "));
+    CHECK(std::ranges::count(said, '\n') == 1);
+    const std::string before = content_of(folder / "out/ao.pfm");
+    CHECK(crease_command(render + "17").status == 2);
+    CHECK(content_of(folder / "out/ao.pfm") == before);
+    CHECK(json_in(folder / "out/meta.json").at("measured").get<std::string>().find("median") !=
+          std::string::npos);
+    expect_success(render + "2");
+    CHECK(content_of(folder / "out/ao.pfm") != before);
+}

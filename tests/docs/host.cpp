@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The C++ of docs/host.md does what the runner does.
+#include "own_host.hpp"
 #include "step.hpp"
 
 #include <crease/crease.hpp>
@@ -29,6 +30,9 @@ using layered = crease::effect<crease::directions<4, 4>, crease::stochastic_laye
 using tables = crease::effect<crease::sample_box, crease::summed_area<>, crease::mean_height<>>;
 using drawn = crease::effect<crease::directions<4, 4>, crease::stochastic_layers<4>, crease::hbao,
                              crease::fragment, crease::image_load, crease::bilateral<>>;
+
+using seen = crease::effect<crease::directions<4, 4>, crease::single_layer, crease::hbao,
+                            crease::reconstructed_normals, crease::bilateral<>>;
 
 template <class Number>
 Number number_at(const std::vector<std::byte>& bytes, std::size_t offset) {
@@ -209,4 +213,49 @@ TEST_CASE("the runner finds the step, and what it hides darkens no less") {
         step::device(), depth, walls, shaders, step::perspective, step::width, step::height));
     CHECK(layers < 0.95f);
     CHECK_NOTHROW(step::device().check_messages());
+}
+
+TEST_CASE("a constant holds what fills it, and the page's shaders are the runner's") {
+    using tiled =
+        crease::effect<crease::directions<4, 4>, crease::single_layer, crease::hbao, crease::tiled_noise>;
+    bool has_constant = false;
+    for (const crease::resource& r : tiled::resources)
+        if (r.life == crease::lifetime::constant) {
+            has_constant = true;
+            const std::vector<std::uint32_t> texels = host_page::texels_of_constant(r);
+            CHECK(texels.size() == std::size_t{r.size.fixed_width} * r.size.fixed_height);
+            CHECK(std::ranges::any_of(texels, [&](std::uint32_t each) { return each != texels[0]; }));
+        }
+    CHECK(has_constant);
+    CHECK(host_page::spirv_of(tiled::passes[0]) == crease::vulkan::compile(tiled::passes[0]).main);
+}
+
+TEST_CASE("an engine's depth and visibility go through the runner as the page says") {
+    own_host host;
+    constexpr VkImageUsageFlags depth_usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT |
+                                              VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+                                usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                                        VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    const auto depth = host.make_image(VK_FORMAT_D32_SFLOAT, step::width, step::height, depth_usage,
+                                       VK_IMAGE_ASPECT_DEPTH_BIT);
+    const auto visibility =
+        host.make_image(VK_FORMAT_R8_UNORM, step::width, step::height, usage, VK_IMAGE_ASPECT_COLOR_BIT);
+    host_page::engine_occlusion occlusion(host.described(), seen::view(), depth, visibility);
+    crease::vulkan::device device(host.described());
+    crease::vulkan::image filled(depth);
+    crease::vulkan::upload(device, filled, std::span<const float>(device_depth()));
+    host.submit({host.recorded([&](VkCommandBuffer commands) {
+        filled.transition(commands, {VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT,
+                                     VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
+                                     VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL, true});
+        occlusion.record(commands, step::parameters_for(seen::view(), false));
+    })});
+    crease::vulkan::image read(visibility, {VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT,
+                                            VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false});
+    crease::vulkan::runner alone(step::device(), seen::view(), step::width, step::height);
+    alone.upload("depth", std::span<const float>(device_depth()));
+    alone.run(step::parameters_for(seen::view(), false));
+    CHECK(crease::vulkan::download(device, read) == alone.download("visibility"));
+    for (const std::string& message : host.messages())
+        FAIL_CHECK(message);
 }

@@ -273,7 +273,7 @@ TEST_CASE("the alpha of a packed bent cone is the visibility") {
 TEST_CASE("a filter keeps the bent normal of a plane") {
     const glm::dvec3 normal(std::sin(0.5), 0, std::cos(0.5));
     const oracle::picture p = oracle::draw({{kind::plane, {0, 0, -3}, normal}}, lens::standard, 64, 40);
-    for (const char* filters : {"/bilateral", "/upsample:2", "/bilateral/upsample:3"})
+    for (const char* filters : {"/bilateral", "/upsample:2", "/bilateral/upsample:3", "/plane_filter"})
         for (const char* stage : {"", "/fragment"}) {
             CAPTURE(std::string(filters));
             const auto all =

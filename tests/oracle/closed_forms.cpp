@@ -56,14 +56,18 @@ TEST_CASE("a radius of 0 occludes nothing, and a huge one gives finite values") 
     for (const char* recipe : recipes) {
         CAPTURE(std::string(recipe));
         CHECK(least(oracle::run(p, recipe, 0)) == 1.0f);
-        for (float v : oracle::run(p, std::string(recipe) + "/bilateral", 1e6))
-            CHECK((v >= 0 && v <= 1));
+        for (const char* filters : {"/bilateral", "/plane_filter/upsample:2"}) {
+            for (float v : oracle::run(p, std::string(recipe) + filters, 1e6))
+                CHECK((v >= 0 && v <= 1));
+            CHECK(least(oracle::run(p, std::string(recipe) + filters, 0)) == 1.0f);
+        }
     }
 }
 
 TEST_CASE("odd sizes") {
     for (const glm::ivec2 size : {glm::ivec2(1, 1), {7, 5}, {641, 359}, {1, 9}, {16, 1}})
-        for (const char* filters : {"", "/bilateral", "/upsample:2", "/bilateral/upsample:4"}) {
+        for (const char* filters : {"", "/bilateral", "/upsample:2", "/bilateral/upsample:4", "/plane_filter",
+                                    "/separable_plane_filter/upsample:4"}) {
             CAPTURE(size.x);
             CAPTURE(size.y);
             CAPTURE(std::string(filters));
@@ -84,7 +88,9 @@ TEST_CASE("NaN, infinite and zero depth darken nothing around them") {
         for (std::size_t j = 0; j < 4; ++j)
             p.device[p.index(5 + 9 * static_cast<int>(i), 4 + static_cast<int>(j) * 6)] = bad[i];
     for (const char* recipe : recipes)
-        for (const char* parts : {"", "/reconstructed_normals", "/bilateral", "/bilateral/upsample:2"}) {
+        for (const char* parts :
+             {"", "/reconstructed_normals", "/bilateral", "/bilateral/upsample:2",
+              "/plane_filter/reconstructed_normals", "/separable_plane_filter/upsample:2"}) {
             CAPTURE(std::string(recipe));
             CAPTURE(parts);
             for (float v : oracle::run(p, std::string(recipe) + parts, 0.5))

@@ -41,26 +41,6 @@ double radius_inside(const picture& p, const receiver& r, double radius) {
     return std::min(radius, std::hypot(p.width, p.height) / 2 / texels);
 }
 
-glm::dvec2 noise(int x, int y, const settings& s) {
-    if (s.tile > 0) {
-        const double place = (static_cast<double>(s.frame) * s.tile + y % s.tile) * s.tile + x % s.tile;
-        return {std::fmod(0.5 + place * (std::sqrt(5.0) - 1) / 2, 1.0),
-                std::fmod(0.5 + place * (std::sqrt(2.0) - 1), 1.0)};
-    }
-    std::uint32_t v[3] = {static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), s.frame};
-    for (std::uint32_t& c : v)
-        c = c * 1664525u + 1013904223u;
-    const auto mix = [&v] {
-        const std::uint32_t a = v[0] + v[1] * v[2], b = v[1] + v[2] * v[0], c = v[2] + v[0] * v[1];
-        v[0] = a, v[1] = b, v[2] = c;
-    };
-    mix();
-    for (std::uint32_t& c : v)
-        c ^= c >> 16;
-    mix();
-    return {(v[0] >> 8) / 16777216.0, (v[1] >> 8) / 16777216.0};
-}
-
 glm::dvec2 texel_offset(const picture& p, const receiver& r, glm::dvec3 offset) {
     const double small = 1e-5;
     return (p.project(r.position + offset * small) - p.project(r.position - offset * small)) / (2 * small);
@@ -102,7 +82,7 @@ double rise_over_tangent(const receiver& r, glm::dvec3 offset) {
 
 std::vector<std::vector<tap>> directions(const picture& p, const receiver& r, const settings& s, int count,
                                          int steps, int power) {
-    const glm::dvec2 random = noise(r.pixel_x, r.pixel_y, s);
+    const glm::dvec2 random(noise(r.pixel_x, r.pixel_y, s));
     glm::dvec3 across, up;
     axes(p, r, across, up);
     // Radii that make a texel: the root mean square over the directions on the screen.
@@ -137,7 +117,7 @@ std::vector<std::vector<tap>> directions(const picture& p, const receiver& r, co
 
 std::vector<std::vector<tap>> poisson_disk(const picture& p, const receiver& r, const settings& s,
                                            int count) {
-    const glm::dvec2 random = noise(r.pixel_x, r.pixel_y, s);
+    const glm::dvec2 random(noise(r.pixel_x, r.pixel_y, s));
     const double golden_angle = glm::pi<double>() * (3 - std::sqrt(5.0));
     glm::dvec3 across, up;
     axes(p, r, across, up);
@@ -159,7 +139,7 @@ std::vector<std::vector<tap>> poisson_disk(const picture& p, const receiver& r, 
 
 std::vector<std::vector<tap>> hemisphere_points(const picture& p, const receiver& r, const settings& s,
                                                 int count) {
-    const glm::dvec2 random = noise(r.pixel_x, r.pixel_y, s);
+    const glm::dvec2 random(noise(r.pixel_x, r.pixel_y, s));
     const glm::dvec3 axis = std::abs(r.normal.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
     const glm::dvec3 tangent = glm::normalize(glm::cross(axis, r.normal)),
                      bitangent = glm::cross(r.normal, tangent);

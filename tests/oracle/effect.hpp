@@ -5,19 +5,21 @@
 #include "picture.hpp"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace oracle {
 
 /// The settings of an effect, as its parts name them.
 struct settings {
-    double radius = 1, bias = 0, threshold = 0, strength = 1, exponent = 1, sharpness = 8, falloff = 1;
+    double radius = 1, bias = 0, threshold = 0, strength = 1, exponent = 1, sharpness = 8, falloff = 1,
+           plane_reach = 0.05;
     std::uint32_t frame = 0;
-    int tile = 0; ///< side of the tile of the noise; 0: it is hashed
+    std::string noise = "hashed_noise"; ///< as in a recipe, e.g. "tiled_noise:3"
 };
 
-/// Two numbers in [0, 1) of a pixel and a frame.
-glm::dvec2 noise(int x, int y, const settings& s);
+/// Three numbers in [0, 1) of a pixel and a frame.
+glm::dvec3 noise(int x, int y, const settings& s);
 
 /// A texel that a sampler proposes; for point samplers also the point, on the ray of the texel.
 struct tap {
@@ -80,14 +82,23 @@ double hbao(const picture& p, const receiver& r, const settings& s, const std::v
 double hbao_plus(const picture& p, const receiver& r, const settings& s,
                  const std::vector<std::vector<tap>>& taps, deferral how = {});
 
-/// A picture of visibilities, with the linear depth that filters read.
+/// A picture of visibilities, with the linear depth and the normals that filters read.
 struct visibility_image {
     int width = 0, height = 0;
     std::vector<double> visibility, depth;
+    std::vector<glm::dvec3> normals;
 };
 
 /// One separable cross-bilateral blur: rows, then columns.
 visibility_image bilateral(const visibility_image& image, const settings& s, int radius);
+
+/// A joint bilateral blur over a square, of a picture that is smaller than `p` by `divisor`: a texel counts
+/// by a Gaussian, by its distance from the tangent plane and by the angle between the normals.
+visibility_image plane_filter(const visibility_image& image, const picture& p, const settings& s, int radius,
+                              int divisor = 1);
+/// The same along rows, and then along columns.
+visibility_image separable_plane_filter(const visibility_image& image, const picture& p, const settings& s,
+                                        int radius, int divisor = 1);
 
 /// From a picture that is smaller by `factor` to the size of `p`.
 visibility_image upsample(const visibility_image& image, const picture& p, const settings& s, int factor);

@@ -105,7 +105,8 @@ settings settings_of(const crease::parameters& how, const crease::effect_view& e
                               {"strength", &settings::strength},
                               {"exponent", &settings::exponent},
                               {"sharpness", &settings::sharpness},
-                              {"falloff", &settings::falloff}})
+                              {"falloff", &settings::falloff},
+                              {"plane_reach", &settings::plane_reach}})
         for (std::size_t i = 0; i < effect.settings.size(); ++i)
             if (effect.settings[i].is(each.name))
                 found.*each.field = double{how.settings[i]};

@@ -53,7 +53,7 @@ settings settings_of(const crease::parameters& how, const crease::effect_view& e
 template <class Occlusion>
 visibility_image main_pass(const picture& p, const settings& s, int divisor, bool reconstructed,
                            Occlusion occlusion) {
-    visibility_image out{(p.width + divisor - 1) / divisor, (p.height + divisor - 1) / divisor, {}, {}};
+    visibility_image out{(p.width + divisor - 1) / divisor, (p.height + divisor - 1) / divisor, {}, {}, {}};
     for (int y = 0; y < out.height; ++y)
         for (int x = 0; x < out.width; ++x) {
             const int tx = std::min(x * divisor + (divisor - 1) / 2, p.width - 1);
@@ -61,6 +61,7 @@ visibility_image main_pass(const picture& p, const settings& s, int divisor, boo
             if (p.background(tx, ty)) {
                 out.visibility.push_back(1);
                 out.depth.push_back(1e9);
+                out.normals.push_back({0, 0, 1});
                 continue;
             }
             receiver r{tx, ty, x, y, p.position(tx, ty), glm::dvec3(p.normals[p.index(tx, ty)]), {}};
@@ -70,6 +71,7 @@ visibility_image main_pass(const picture& p, const settings& s, int divisor, boo
             out.visibility.push_back(
                 std::pow(std::clamp(1 - s.strength * occlusion(r), 0.0, 1.0), s.exponent));
             out.depth.push_back(-r.position.z);
+            out.normals.push_back(r.normal);
         }
     return out;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Second cameras that see less than the first: a part of it, nothing, or what is behind. The oracle is the
+// Further cameras that see less than the first: a part of it, nothing, or what is behind. The oracle is the
 // greater of two occlusions, each from the layers of its own camera. Orthographic cameras a whole number of
 // texels apart let it take both at whole texels.
 #include "captured.hpp"
@@ -113,4 +113,54 @@ TEST_CASE("a second camera that sees nothing leaves the picture of the first") {
                                   glm::translate(glm::mat4(1), glm::vec3(0, 0, 100)),
                                   glm::rotate(glm::mat4(1), glm::radians(90.0f), up)})
         CHECK(run(one + "/second_view:1", turn) == single);
+}
+
+TEST_CASE("two further cameras each add what they see alone") {
+    const oracle::picture first = oracle::draw(oracle::balls(), lens::orthographic, width, height);
+    const double texel = 4.0 / height;
+    const glm::dmat4 turns[] = {glm::translate(glm::dmat4(1), glm::dvec3(41 * texel, -17 * texel, 0)),
+                                glm::rotate(glm::translate(glm::dmat4(1), glm::dvec3(0, 0, -7.9)),
+                                            glm::radians(180.0), glm::dvec3(0, 1, 0))};
+    const auto composed = oracle::compose(recipe + "/further_views:2x1");
+    crease::parameters how = oracle::view_parameters(first, *composed, 1.5);
+    const given_layers given(*composed);
+    crease::vulkan::runner runner(oracle::device(), given, width, height);
+    oracle::upload(runner, given, first);
+    runner.upload("captured_layers", oracle::share_out(first, samples));
+    std::vector<oracle::picture> others;
+    for (std::size_t i = 0; i < 2; ++i) {
+        others.push_back(oracle::draw(turned(oracle::balls(), turns[i]), lens::orthographic, width, height));
+        how.further_views[i].view = how.view;
+        const glm::mat4 turn(turns[i]);
+        std::copy_n(glm::value_ptr(turn), 16, how.further_views[i].from_first);
+        runner.upload(i == 0 ? "captured_layers_1" : "captured_layers_2",
+                      oracle::share_out(others.back(), samples));
+    }
+    runner.run(how);
+
+    const oracle::settings s = oracle::settings_of(how, *composed);
+    std::size_t by[3] = {};
+    const auto expected = oracle::main_pass(first, s, 1, false, [&](const oracle::receiver& r) {
+        double most = oracle::hbao_plus(first, r, s, oracle::directions(first, r, s, 6, 4));
+        std::size_t which = 0;
+        for (std::size_t i = 0; i < 2; ++i) {
+            oracle::receiver other = r;
+            other.position = glm::dvec3(turns[i] * glm::dvec4(r.position, 1));
+            if (!(other.position.z < 0))
+                continue;
+            other.normal = glm::dmat3(turns[i]) * r.normal;
+            const glm::dvec2 place = others[i].project(other.position);
+            other.x = static_cast<int>(std::floor(place.x));
+            other.y = static_cast<int>(std::floor(place.y));
+            const double seen =
+                oracle::hbao_plus(others[i], other, s, oracle::directions(others[i], other, s, 6, 4));
+            which = seen > most + 0.01 ? i + 1 : which;
+            most = std::max(most, seen);
+        }
+        ++by[which];
+        return most;
+    });
+    CHECK(by[1] >= 10);
+    CHECK(by[2] >= 10);
+    oracle::check_within(oracle::compare(runner.download("visibility"), expected), oracle::of_rounding);
 }

@@ -106,7 +106,7 @@ TEST_CASE("every encoding of depth gives the same shade") {
 
 TEST_CASE("the shade goes through the filters") {
     const oracle::picture p = oracle::draw({{kind::plane, {0, 0, -3}, {0, 0, 1}}}, lens::standard, 50, 30);
-    for (const char* filters : {"/bilateral", "/upsample:2", "/bilateral/upsample:4"})
+    for (const char* filters : {"/bilateral", "/upsample:2", "/plane_filter/upsample:4"})
         for (float shade :
              shades(p, std::string("box_window:15/single_layer/unsharp_mask/shade") + filters, 0.02f))
             CHECK(std::abs(shade) < 1e-5f);

@@ -25,7 +25,7 @@ double surface_depth(const picture& p, int x, int y) {
 }
 
 std::vector<tap> sphere_points(const picture& p, const receiver& r, const settings& s, int count) {
-    const glm::dvec2 random = noise(r.pixel_x, r.pixel_y, s);
+    const glm::dvec2 random(noise(r.pixel_x, r.pixel_y, s));
     glm::dvec3 across, up;
     axes(p, r, across, up);
     const double golden_angle = glm::pi<double>() * (3 - std::sqrt(5.0));
@@ -52,7 +52,7 @@ std::vector<tap> sphere_points(const picture& p, const receiver& r, const settin
 
 std::vector<line> disk_lines(const picture& p, const receiver& r, const settings& s, int count,
                              bool hemisphere) {
-    const glm::dvec2 random = noise(r.pixel_x, r.pixel_y, s);
+    const glm::dvec2 random(noise(r.pixel_x, r.pixel_y, s));
     glm::dvec3 across, up;
     axes(p, r, across, up);
     const double golden_angle = glm::pi<double>() * (3 - std::sqrt(5.0));

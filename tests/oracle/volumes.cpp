@@ -69,7 +69,8 @@ oracle::difference differ(const technique& t, const std::string& parts, lens see
     crease::parameters how = oracle::view_parameters(p, composed->view(), 0.5);
     crease::set(how, composed->view().settings, "falloff", falloff); // where the estimator has one
     oracle::settings s = oracle::settings_of(how, *composed);
-    s.tile = tile;
+    if (tile > 0)
+        s.noise = "tiled_noise:" + std::to_string(tile);
     const oracle::visibility_image expected = oracle::main_pass(
         p, s, 1, reconstructed, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });
     return oracle::compare(oracle::run(p, composed->view(), how), expected);

@@ -81,6 +81,50 @@ TEST_CASE("the bilateral filter") {
     }
 }
 
+TEST_CASE("filters by planes, over 3 x 3, 5 x 5 and 7 x 7 pixels, in one pass and in two") {
+    for (int radius : {1, 2, 3})
+        for (lens kind : {lens::standard, lens::orthographic})
+            for (bool reconstructed : {false, true}) {
+                CAPTURE(radius);
+                CAPTURE(static_cast<int>(kind));
+                CAPTURE(reconstructed);
+                const std::string number = ":" + std::to_string(radius);
+                check_within(differ(techniques()[1], "/plane_filter" + number, kind, reconstructed,
+                                    [radius](const auto& image, const auto& p, const auto& s) {
+                                        return oracle::plane_filter(image, p, s, radius);
+                                    }),
+                             filtered);
+                check_within(differ(techniques()[1], "/separable_plane_filter" + number, kind, reconstructed,
+                                    [radius](const auto& image, const auto& p, const auto& s) {
+                                        return oracle::separable_plane_filter(image, p, s, radius);
+                                    }),
+                             filtered);
+            }
+}
+
+TEST_CASE("a filter by planes at half and quarter resolution, and one more at the whole") {
+    for (int factor : {2, 4}) {
+        CAPTURE(factor);
+        const std::string number = ":" + std::to_string(factor);
+        check_within(differ(
+                         techniques()[1], "/plane_filter/upsample" + number, lens::standard, false,
+                         [factor](const auto& image, const auto& p, const auto& s) {
+                             return oracle::upsample(oracle::plane_filter(image, p, s, 2, factor), p, s,
+                                                     factor);
+                         },
+                         factor),
+                     filtered);
+        check_within(
+            differ(
+                techniques()[1], "/upsample" + number + "/separable_plane_filter:2", lens::off_centre, false,
+                [factor](const auto& image, const auto& p, const auto& s) {
+                    return oracle::separable_plane_filter(oracle::upsample(image, p, s, factor), p, s, 2);
+                },
+                factor),
+            filtered);
+    }
+}
+
 TEST_CASE("upsampling from half, third and quarter resolution") {
     for (int factor : {2, 3, 4}) {
         CAPTURE(factor);

@@ -120,6 +120,39 @@ TEST_CASE("rasterise: near and far of any size leave depth and occlusion right")
                               [](float texel) { return texel == 1; }));
 }
 
+TEST_CASE("rasterise: the rasteriser sees what the tracer sees, through each lens and depth") {
+    placed_scene scene(1);
+    for (const bool orthographic : {false, true})
+        for (const glm::dvec2 shift : {glm::dvec2(0), glm::dvec2(0.3, -0.2)}) {
+            scene.from.orthographic = orthographic;
+            scene.from.shift = shift;
+            const truth traced =
+                trace_truth(scene.triangles, scene.from,
+                            {.width = scene.from.width, .height = scene.from.height, .radius = 0, .rays = 1});
+            image expected;
+            for (const device_depth_kind kind :
+                 {device_depth_kind::reversed, device_depth_kind::standard, device_depth_kind::infinite}) {
+                if (orthographic && kind == device_depth_kind::infinite)
+                    continue;
+                CAPTURE(orthographic);
+                CAPTURE(shift.x);
+                CAPTURE(name_of(kind));
+                const gbuffer inputs = rasterise(device(), scene.triangles, scene.from, 4, kind);
+                std::size_t apart = 0;
+                for (std::size_t i = 0; i < inputs.depth.texels.size(); ++i)
+                    apart += std::abs(inputs.depth.texels[i] - traced.depth.texels[i]) >
+                             1e-4f * traced.depth.texels[i];
+                CHECK(apart <= 20); // at silhouettes
+                const image seen = visibility_of(inputs, recipes[0]);
+                if (expected.texels.empty())
+                    expected = seen;
+                CHECK(compare(seen, expected).mae <= 1e-3);
+                CHECK(compare(visibility_of(inputs, std::string(recipes[0]) + "/linear_depth"), seen).mae <=
+                      1e-3);
+            }
+        }
+}
+
 TEST_CASE("rasterise: near too small for a depth buffer is refused") {
     placed_scene scene(1);
     scene.from.near = 1e-36f;

@@ -52,7 +52,8 @@ TEST_CASE("an image of another shape cannot be an input, and each difference cou
     CHECK(refusal(fits) == "");
     vulkan::image_description other = fits;
     other.height = 3;
-    CHECK(refusal(other) == "the image 'own' cannot be the input 'depth': it is only 5 x 3");
+    CHECK(refusal(other) ==
+          "the image 'own' cannot be the input 'depth': it is 5 x 3, and must be at least 5 x 4");
     other = fits;
     other.layers = 2;
     other.arrayed = true;

@@ -144,6 +144,35 @@ TEST_CASE("a geometry pass that follows a compute pass and runs twice does so in
     CHECK_NOTHROW(device.check_messages());
 }
 
+TEST_CASE("a geometry pass may have its SPIR-V from the options, and has it from there alone") {
+    vulkan::device& device = validated_device();
+    const vulkan::mesh all(device, triangle(9, 0.5f));
+    std::vector<vulkan::pass_shaders> shaders = vulkan::compile(levels);
+    CHECK(shaders[1].main.empty());
+    const auto runner_with = [&] {
+        return std::make_unique<vulkan::runner>(device, levels, side, side,
+                                                vulkan::runner_options{.constants = {}, .shaders = shaders});
+    };
+    CHECK(
+        sentence_of([&] { runner_with()->set_geometry("double", {}, all); }) ==
+        "the geometry pass 'double' has no SPIR-V among the options of the runner: give set_geometry both a "
+        "vertex and a fragment shader");
+    CHECK(sentence_of([&] { runner_with()->set_geometry("double", host, all); }) == "");
+    shaders[1] = shaders[2] = vulkan::compile(levels.passes[1], host);
+    const auto runner = runner_with();
+    CHECK(sentence_of([&] { runner->set_geometry("double", host, all); }) ==
+          "the geometry pass 'double' has SPIR-V among the options of the runner: give set_geometry no GLSL "
+          "for it");
+    runner->set_geometry("double", {}, all);
+    runner->run({});
+    CHECK(runner->download_uint("levels") == std::vector<std::uint32_t>(side * side, 43));
+    shaders[1].vertex.clear();
+    CHECK(sentence_of(runner_with) ==
+          "the shaders given for pass 'double' are not those that compile() makes "
+          "of it: one is missing or too many");
+    CHECK_NOTHROW(device.check_messages());
+}
+
 TEST_CASE("what a geometry pass draws may change between runs") {
     vulkan::device& device = validated_device();
     const vulkan::mesh left(device, triangle(0, 0.5f)), all(device, triangle(9, 0.5f));

@@ -122,7 +122,8 @@ TEST_CASE("another image can be the input, even a larger one or a depth buffer")
         return sentence_of([&] { runner.bind("depth", image); });
     };
     d.width = 4;
-    CHECK(refusal(d) == "the image 'own' cannot be the input 'depth': it is only 4 x 4");
+    CHECK(refusal(d) ==
+          "the image 'own' cannot be the input 'depth': it is 4 x 4, and must be at least 5 x 4");
     d.width = 9;
     d.usage = VK_IMAGE_USAGE_TRANSFER_DST_BIT;
     CHECK(contains(refusal(d), "it was not made for sampling"));

@@ -5,11 +5,12 @@
 #include "frame/frame.hpp"
 #include "frame/table_copy.hpp"
 #include "frame/table_doubling.hpp"
-#include "image/file.hpp"
 #include "measure/compare.hpp"
 #include "measure/work.hpp"
 #include "progress.hpp"
-#include "truth/truth.hpp"
+#include "ranges.hpp"
+#include "scene_options.hpp"
+#include "truth/kept_truth.hpp"
 
 #include <fmt/format.h>
 #include <glm/glm.hpp>
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 namespace crease::tools {
 
@@ -38,6 +40,8 @@ struct bench_options {
     std::string device;
     std::filesystem::path truths;
     std::vector<std::string> cameras;
+    lens_options lens;
+    device_depth_kind depth = device_depth_kind::reversed;
     bool hidden = false;
     unsigned guard = 0;
     unsigned width = 1280, height = 720, rays = 256, repeats = 15;
@@ -62,75 +66,53 @@ camera half_a_pixel_on(camera from) {
     return from;
 }
 
-/// Where a directory keeps the truth of a view: apart from those of other sizes, radii and rays.
-std::filesystem::path place_of_truth(const subject& view, const bench_options& options) {
-    return options.truths / view.name / view.from.name /
-           fmt::format("{}x{} radius {} rays {}", options.width, options.height, view.from.ao_radius,
-                       options.rays);
-}
-
 /// The truth of a view, traced once where a directory keeps it.
 void add_truth(subject& view, const mesh& scene, const bench_options& options) {
-    const std::filesystem::path kept = place_of_truth(view, options);
-    const char* last = options.hidden ? "mask.pfm" : "bent.pfm";
-    if (!options.truths.empty() && std::filesystem::exists(kept / last)) {
-        view.hard = read_pfm(kept / "ao_hard.pfm");
-        view.linear = read_pfm(kept / "ao_linear.pfm");
-        view.quad = read_pfm(kept / "ao_quad.pfm");
-        view.bent = read_pfm(kept / "bent.pfm");
-        if (options.hidden)
-            view.mask = read_pfm(kept / "mask.pfm");
-        return;
-    }
-    progress bar(fmt::format("tracing {} {}", view.name, view.from.name));
-    truth traced = trace_truth(scene, view.from,
-                               {.width = options.width,
-                                .height = options.height,
-                                .radius = view.from.ao_radius,
-                                .rays = options.rays,
-                                .first_layer = options.hidden,
-                                .progress = [&bar](double done) {
-                                    bar(done);
-                                    return true;
-                                }});
+    const std::string label = fmt::format("{} {}", view.name, view.from.name);
+    std::optional<progress> bar; // once it is traced
+    const truth_settings settings{.width = options.width,
+                                  .height = options.height,
+                                  .radius = view.from.ao_radius,
+                                  .rays = options.rays,
+                                  .first_layer = options.hidden,
+                                  .progress = [&](double done) {
+                                      if (!bar)
+                                          bar.emplace("tracing " + label);
+                                      (*bar)(done);
+                                      return true;
+                                  }};
+    truth traced = options.truths.empty()
+                       ? trace_truth(scene, view.from, settings)
+                       : kept_truth(options.truths, label, scene, view.from, settings, note);
     if (options.hidden)
         view.mask = hidden_mask(traced);
-    if (!options.truths.empty()) {
-        make_directory(kept);
-        write_pfm(kept / "ao_hard.pfm", traced.ao_hard);
-        write_pfm(kept / "ao_linear.pfm", traced.ao_linear);
-        write_pfm(kept / "ao_quad.pfm", traced.ao_quad);
-        write_pfm(kept / "bent.pfm", traced.bent);
-        if (options.hidden)
-            write_pfm(kept / "mask.pfm", view.mask);
-    }
     view.hard = std::move(traced.ao_hard);
     view.linear = std::move(traced.ao_linear);
     view.quad = std::move(traced.ao_quad);
     view.bent = std::move(traced.bent);
 }
 
-/// All views of a scene file, whose cameras are in <stem>.cameras.json beside it; or of the built-in scene.
+/// All views of a scene.
 std::vector<subject> load_subjects(vulkan::device& device, const std::string& path,
                                    const bench_options& options) {
-    const bool built_in = path == "built-in";
-    const mesh scene = built_in ? built_in_scene() : load_mesh(path);
-    const std::filesystem::path cameras = std::filesystem::path(path).replace_extension(".cameras.json");
+    const mesh scene = scene_of(path);
     std::vector<subject> views;
-    for (camera from : built_in ? built_in_cameras() : load_cameras(cameras)) {
-        if (!options.cameras.empty() && std::ranges::count(options.cameras, from.name) == 0)
+    for (const camera& each : cameras_of(path, scene)) {
+        if (!options.cameras.empty() && std::ranges::count(options.cameras, each.name) == 0)
             continue;
+        camera from = options.lens.apply_to(each);
         from.width = options.width;
         from.height = options.height;
         subject view{.name = std::filesystem::path(path).stem().string(),
                      .from = from,
-                     .inputs = rasterise(device, scene, from, options.guard),
+                     .inputs = rasterise(device, scene, from, options.guard, options.depth),
                      .hard = {},
                      .linear = {},
                      .quad = {},
                      .bent = {},
                      .mask = {},
-                     .moved = rasterise(device, scene, half_a_pixel_on(from), options.guard)};
+                     .moved = rasterise(device, scene, half_a_pixel_on(from), options.guard, options.depth)};
+        check_sight(from, view.inputs.depth);
         add_truth(view, scene, options);
         views.push_back(std::move(view));
     }
@@ -163,9 +145,8 @@ candidate parse_candidate(const std::string& whole, const bench_options& options
         settings.emplace_back(rest.substr(0, comma));
         rest.remove_prefix(comma);
     }
-    candidate read{whole, recipe(text.substr(0, at)), parse_settings(settings)};
-    if (!read.chosen)
-        throw std::runtime_error(std::string(read.chosen.error()));
+    const candidate read{whole, parse_recipe(text.substr(0, at)), parse_settings(settings)};
+    settle(read.chosen, {.radius = 1, .settings = read.settings}); // which refuses what does not fit
     return read;
 }
 
@@ -202,7 +183,7 @@ nlohmann::ordered_json measure(vulkan::device& device, const candidate& of, cons
                                const std::vector<subject>& views) {
     nlohmann::ordered_json passes = nlohmann::ordered_json::array(), each = nlohmann::ordered_json::array();
     score mean;
-    const recipe run = supported(device, of.chosen);
+    const recipe run = supported(device, seen_by(views[0].from, of.chosen));
     const auto composed = std::make_unique<composition>(run);
     for (const pass& p : composed->view().passes) {
         if (p.stage == stage_kind::geometry)
@@ -304,10 +285,11 @@ std::vector<baseline> time_baselines(vulkan::device& device, const gbuffer& inpu
 }
 
 /// What `supported` adds to the recipes, each once.
-std::string added_parts(const vulkan::device& device, const std::vector<candidate>& candidates) {
+std::string added_parts(const vulkan::device& device, const std::vector<candidate>& candidates,
+                        const camera& from) {
     std::string added;
     for (const candidate& each : candidates) {
-        const recipe whole = supported(device, each.chosen);
+        const recipe whole = supported(device, seen_by(from, each.chosen));
         const array_view<const choice> choices = whole.choices();
         for (std::size_t i = each.chosen.choices().size(); i < choices.size(); ++i) {
             const std::string name = "/" + std::string(choices[i].what->name);
@@ -322,14 +304,21 @@ void run(const bench_options& options) {
     std::vector<candidate> candidates;
     for (const std::string& text : options.recipes)
         candidates.push_back(parse_candidate(text, options));
+    for (const std::string& scene : options.scenes)
+        if (recipe(std::string_view(scene)))
+            throw recipe_error(
+                fmt::format("'{}' is a recipe and stands among the scenes; give each recipe by a "
+                            "--recipes of its own",
+                            scene));
     vulkan::device device({.name = options.device});
     std::vector<subject> views;
     for (const std::string& scene :
          options.scenes.empty() ? std::vector<std::string>{"built-in"} : options.scenes)
         for (subject& view : load_subjects(device, scene, options))
             views.push_back(std::move(view));
-    if (views.empty())
-        throw std::runtime_error("none of the scenes has a camera that --cameras names");
+    for (const std::string& name : options.cameras)
+        if (std::ranges::none_of(views, [&](const subject& view) { return view.from.name == name; }))
+            throw std::runtime_error(fmt::format("none of the scenes has the camera '{}'", name));
     const std::vector<baseline> baselines = time_baselines(device, views[0].inputs, candidates, options);
     const std::vector<frame_times> times = time_candidates(device, candidates, views[0], options.repeats);
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
@@ -338,8 +327,10 @@ void run(const bench_options& options) {
             "{}, {} x {}, times on {} {}, errors the mean of {} views, change that of a pixel when the "
             "camera turns by half of one\n",
             device.name(), options.width, options.height, views[0].name, views[0].from.name, views.size());
-        if (const std::string added = added_parts(device, candidates); !added.empty())
-            fmt::print("added to recipes as suits the device, where they name none of the kind: {}\n", added);
+        if (const std::string added = added_parts(device, candidates, views[0].from); !added.empty())
+            fmt::print(
+                "added to recipes as suits the device and the camera, where they name none of the kind: {}\n",
+                added);
         for (const baseline& b : baselines)
             fmt::print("{:<58} {:7.2f} ms\n", b.title, b.milliseconds);
     }
@@ -350,8 +341,10 @@ void run(const bench_options& options) {
     }
     if (!options.as_json)
         return;
-    nlohmann::ordered_json whole = {
-        {"device", std::string(device.name())}, {"width", options.width}, {"height", options.height}};
+    nlohmann::ordered_json whole = {{"device", std::string(device.name())},
+                                    {"width", options.width},
+                                    {"height", options.height},
+                                    {"depth", name_of(options.depth)}};
     for (const baseline& b : baselines)
         whole[b.key] = b.milliseconds;
     whole["recipes"] = rows;
@@ -364,31 +357,34 @@ void add_bench(CLI::App& app) {
     CLI::App* command = app.add_subcommand("bench", "cost and error of recipes on scenes");
     const auto options = std::make_shared<bench_options>();
     command->add_option("scenes", options->scenes,
-                        "scene files with <stem>.cameras.json beside them, or built-in; else built-in");
-    command->add_option("--recipes", options->recipes, "to measure, RECIPE[@name=value,...]; else a handful");
+                        "scene files, with their cameras in <stem>.cameras.json, or built-in; else built-in");
+    add_each(*command, "--recipes", options->recipes,
+             "a recipe to measure, RECIPE[@name=value,...]; else a handful");
     command->add_flag(
         "--hidden", options->hidden,
         "also the error where geometry that the camera cannot see takes more than 0.15 of the visibility");
     command->add_option("--guard", options->guard, "width of the guard band around the pictures, texels")
-        ->check(CLI::Range(0u, 4096u));
-    command->add_option("--cameras", options->cameras, "names of the cameras to use; else all");
-    command->add_option("--set", options->settings, "name=value of a setting, for all recipes");
+        ->check(whole_number_from(0, 4096));
+    add_each(*command, "--cameras", options->cameras, "name of a camera to use; else all");
+    options->lens.add_to(*command);
+    add_depth_option(*command, options->depth);
+    add_each(*command, "--set", options->settings, "name=value of a setting, for all recipes");
     command->add_option("--device", options->device, "part of the name of a Vulkan device");
     command->add_option("--truths", options->truths,
                         "directory that keeps the ray-traced truths between runs");
     command->add_option("--width", options->width, "texels")
-        ->check(CLI::Range(1u, 16384u))
+        ->check(whole_number_from(1, longest_side))
         ->capture_default_str();
     command->add_option("--height", options->height, "texels")
-        ->check(CLI::Range(1u, 16384u))
+        ->check(whole_number_from(1, longest_side))
         ->capture_default_str();
     command->add_option("--rays", options->rays, "of the truth")
-        ->check(CLI::Range(1u, 65536u))
+        ->check(whole_number_from(1, 65536))
         ->capture_default_str();
     command
         ->add_option("--repeats", options->repeats,
                      "timed runs, in which the recipes take turns; the median counts")
-        ->check(CLI::Range(1u, 1000u))
+        ->check(whole_number_from(1, 1000))
         ->capture_default_str();
     command->add_flag("--json", options->as_json, "for programs");
     command->callback([options] { run(*options); });

@@ -5,8 +5,10 @@
 #include "frame/frame.hpp"
 #include "frame/sheet.hpp"
 #include "image/file.hpp"
+#include "image/file_set.hpp"
 #include "measure/compare.hpp"
 #include "progress.hpp"
+#include "ranges.hpp"
 #include "truth/truth.hpp"
 
 #include <fmt/format.h>
@@ -56,7 +58,7 @@ void run(const demo_options& options) {
     from.width = options.width;
     from.height = options.height;
     vulkan::device device({.name = options.device});
-    make_directory(options.directory);
+    file_set files(options.directory);
     fmt::print("device: {}\n", device.name());
 
     progress bar("tracing the truth");
@@ -69,7 +71,7 @@ void run(const demo_options& options) {
                                           bar(done);
                                           return true;
                                       }});
-    write_png(options.directory / "truth.png", traced.ao_linear);
+    write_png(files / "truth.png", traced.ao_linear);
     std::vector<sheet_cell> cells{
         {traced.ao_linear, {"ray-traced truth", fmt::format("{} rays, linear", options.rays)}}};
 
@@ -84,7 +86,7 @@ void run(const demo_options& options) {
     frames.reserve(std::size(shown_recipes)); // cells refer to them
     nlohmann::ordered_json figures = nlohmann::ordered_json::array();
     for (const auto& [name, text] : shown_recipes) {
-        const std::filesystem::path directory = options.directory / name;
+        const std::filesystem::path directory = files / name;
         emit_both(directory, text);
         const std::size_t i = frames.size();
         frames.push_back(effects[i]->picture());
@@ -104,8 +106,9 @@ void run(const demo_options& options) {
         fmt::print("{:<60} {:6.1f} ms   RMSE {:.3f}   SSIM {:.3f}\n", text, total(made), error.rmse,
                    error.ssim);
     }
-    write_sheet(options.directory / "sheet.png", cells, 2);
-    write_atomically(options.directory / "figures.json", figures.dump(2) + "\n");
+    write_sheet(files / "sheet.png", cells, 2);
+    write_atomically(files / "figures.json", figures.dump(2) + "\n");
+    files.appear();
     fmt::print("pictures, GLSL and SPIR-V are in {}; begin with sheet.png\n", options.directory.string());
 }
 
@@ -118,13 +121,13 @@ void add_demo(CLI::App& app) {
     command->add_option("-o,--output", options->directory, "directory for the files")->required();
     command->add_option("--device", options->device, "part of the name of a Vulkan device");
     command->add_option("--width", options->width, "texels")
-        ->check(CLI::Range(1u, 4096u))
+        ->check(whole_number_from(1, 4096))
         ->capture_default_str();
     command->add_option("--height", options->height, "texels")
-        ->check(CLI::Range(1u, 4096u))
+        ->check(whole_number_from(1, 4096))
         ->capture_default_str();
     command->add_option("--rays", options->rays, "of the truth, for each texel")
-        ->check(CLI::Range(1u, 65536u))
+        ->check(whole_number_from(1, 65536))
         ->capture_default_str();
     command->callback([options] { run(*options); });
 }

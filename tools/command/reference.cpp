@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 
-#include "image/file.hpp"
 #include "progress.hpp"
+#include "ranges.hpp"
+#include "result_files.hpp"
 #include "scene_options.hpp"
 #include "truth/truth.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <limits>
 #include <memory>
 
 namespace crease::tools {
@@ -24,8 +26,8 @@ struct reference_options {
 };
 
 void run(const reference_options& options) {
-    const mesh scene = options.scene.load();
-    const camera from = options.scene.load_camera();
+    const mesh scene = scene_of(options.scene.scene);
+    const camera from = options.scene.choose(cameras_of(options.scene.scene, scene, options.scene.cameras));
     progress shown("tracing");
     truth_settings settings{.width = from.width,
                             .height = from.height,
@@ -38,25 +40,25 @@ void run(const reference_options& options) {
                                 return true;
                             }};
     const truth traced = trace_truth(scene, from, settings);
-    make_directory(options.directory);
-    write_pfm(options.directory / "ao_hard.pfm", traced.ao_hard);
-    write_pfm(options.directory / "ao_linear.pfm", traced.ao_linear);
-    write_pfm(options.directory / "ao_quad.pfm", traced.ao_quad);
-    write_pfm(options.directory / "bent.pfm", traced.bent);
+    check_sight(from, traced.depth);
+    result_files files(options.directory);
+    write_pfm(files.add("ao_hard.pfm"), traced.ao_hard);
+    write_pfm(files.add("ao_linear.pfm"), traced.ao_linear);
+    write_pfm(files.add("ao_quad.pfm"), traced.ao_quad);
+    write_pfm(files.add("bent.pfm"), traced.bent);
     if (options.mask) {
-        write_pfm(options.directory / "ao_first_layer.pfm", traced.ao_first_layer);
-        write_pfm(options.directory / "mask.pfm", hidden_mask(traced));
-        write_png(options.directory / "mask.png", hidden_mask(traced));
+        write_pfm(files.add("ao_first_layer.pfm"), traced.ao_first_layer);
+        write_pfm(files.add("mask.pfm"), hidden_mask(traced));
+        write_png(files.add("mask.png"), hidden_mask(traced));
     }
-    write_pfm(options.directory / "depth.pfm", traced.depth);
-    write_pfm(options.directory / "normal.pfm", traced.normal);
-    write_png(options.directory / "ao_linear.png", traced.ao_linear);
-    const nlohmann::ordered_json meta{
-        {"scene", options.scene.scene},  {"camera", from.name},  {"width", from.width},
-        {"height", from.height},         {"near", from.near},    {"far", from.far},
-        {"radius", from.ao_radius},      {"rays", options.rays}, {"seed", options.seed},
-        {"triangles", scene.triangles()}};
-    write_atomically(options.directory / "meta.json", meta.dump(2) + "\n");
+    write_pfm(files.add("depth.pfm"), traced.depth);
+    write_pfm(files.add("normal.pfm"), traced.normal);
+    write_png(files.add("ao_linear.png"), traced.ao_linear);
+    nlohmann::ordered_json meta = described(options.scene, from);
+    meta.update({{"rays", options.rays}, {"seed", options.seed}, {"triangles", scene.triangles()}});
+    files.appear(meta, options.scene.inputs());
+    fmt::print("{}: visibility of '{}' from '{}', {} x {}, by {} rays a texel\n", options.directory.string(),
+               options.scene.scene, from.name, from.width, from.height, options.rays);
 }
 
 }
@@ -66,12 +68,14 @@ void add_reference(CLI::App& app) {
     const auto options = std::make_shared<reference_options>();
     options->scene.add_to(*command);
     command->add_option("--rays", options->rays, "for each texel")
-        ->check(CLI::Range(1u, 65536u))
+        ->check(whole_number_from(1, 65536))
         ->capture_default_str();
     command->add_flag(
         "--mask", options->mask,
         "also where geometry that the camera cannot see takes more than 0.15 of the visibility");
-    command->add_option("--seed", options->seed, "of the rays")->capture_default_str();
+    command->add_option("--seed", options->seed, "of the rays")
+        ->check(whole_number_from(0, std::numeric_limits<std::uint32_t>::max()))
+        ->capture_default_str();
     command->add_option("-o,--output", options->directory, "directory for the files")->required();
     command->callback([options] { run(*options); });
 }

@@ -2,12 +2,15 @@
 #include "commands.hpp"
 
 #include "frame/frame.hpp"
-#include "image/file.hpp"
+#include "ranges.hpp"
+#include "result_files.hpp"
 #include "scene_options.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -21,9 +24,12 @@ struct render_options {
     unsigned guard = 0;
     std::uint32_t frame = 0;
     std::vector<std::string> settings;
+    device_depth_kind depth = device_depth_kind::reversed;
     bool validation = false;
     std::filesystem::path directory;
 };
+
+constexpr unsigned timed_runs = 5;
 
 image scaled(image values, float by, float and_add) {
     for (float& v : values.texels)
@@ -39,61 +45,93 @@ nlohmann::ordered_json times_of(const std::vector<vulkan::pass_time>& times) {
 }
 
 nlohmann::ordered_json describe(const render_options& options, const camera& from, const recipe& chosen,
-                                const parameters& used, const frame& made, const std::string& device) {
+                                const parameters& used, const frame_times& times, const std::string& device) {
     nlohmann::ordered_json settings;
     const std::vector<effect_setting> known = settings_of(chosen);
     for (std::size_t i = 0; i < known.size(); ++i)
         settings[name_of(known[i])] = used.settings[i];
-    return {{"scene", options.scene.scene},
-            {"camera", from.name},
-            {"width", from.width},
-            {"height", from.height},
-            {"near", from.near},
-            {"far", from.far},
-            {"radius", from.ao_radius},
-            {"recipe", std::string(chosen.text().view())},
-            {"settings", settings},
-            {"device", device},
-            {"guard", options.guard},
-            {"frame", options.frame},
-            {"captures", times_of(made.times.captures)},
-            {"passes", times_of(made.times.passes)}};
+    nlohmann::ordered_json meta = described(options.scene, from);
+    meta.update({{"recipe", std::string(chosen.text().view())},
+                 {"settings", settings},
+                 {"device", device},
+                 {"depth", name_of(options.depth)},
+                 {"guard", options.guard},
+                 {"frame", options.frame},
+                 {"measured", fmt::format("of each pass, the geometry passes of the effect (captures) among "
+                                          "them, the median time on the device of {} runs, after runs that "
+                                          "compile; without the G-buffer",
+                                          timed_runs)},
+                 {"captures", times_of(times.captures)},
+                 {"passes", times_of(times.passes)}});
+    return meta;
+}
+
+/// Refuses options that a recipe has no use for.
+void check_use(const render_options& options, const recipe& chosen) {
+    const auto composed = std::make_unique<composition>(chosen);
+    const effect_view effect = composed->view();
+    if (!options.second_camera.empty() && effect.views < 2)
+        throw recipe_error("--second-camera: the recipe has no second view; add /second_view to it");
+    const bool has_noise = std::ranges::any_of(effect.passes, [](const pass& p) {
+        return std::ranges::any_of(p.pieces, [](const piece& text) {
+            return text.text.find("crease_frame") != std::string_view::npos;
+        });
+    });
+    if (options.frame != 0 && !has_noise)
+        throw recipe_error("--frame: the recipe has no randomness that it could change");
+}
+
+double total(const frame_times& times) {
+    double milliseconds = 0;
+    for (const std::vector<vulkan::pass_time>& all : {times.captures, times.passes})
+        for (const vulkan::pass_time& t : all)
+            milliseconds += t.milliseconds;
+    return milliseconds;
 }
 
 void run(const render_options& options) {
-    const recipe wanted{std::string_view(options.recipe)};
-    if (!wanted)
-        throw std::runtime_error(std::string(wanted.error()));
-    const mesh scene = options.scene.load();
-    const camera from = options.scene.load_camera();
-    frame_options how{
-        .radius = from.ao_radius, .settings = parse_settings(options.settings), .frame = options.frame};
+    const recipe wanted = parse_recipe(options.recipe);
+    check_use(options, wanted);
+    frame_options how{.radius = options.scene.radius.value_or(1),
+                      .settings = parse_settings(options.settings),
+                      .frame = options.frame};
+    settle(wanted, how);
+    const mesh scene = scene_of(options.scene.scene);
+    const std::vector<camera> cameras = cameras_of(options.scene.scene, scene, options.scene.cameras);
+    const camera from = options.scene.choose(cameras);
+    how.radius = from.ao_radius;
     if (!options.second_camera.empty())
-        how.second = find_camera(options.scene.load_all_cameras(), options.second_camera);
-    const parameters used = settle(wanted, how);
+        how.second = find_camera(cameras, options.second_camera);
     vulkan::device device({.name = options.device, .validation = options.validation});
-    const recipe chosen = supported(device, wanted);
-    const gbuffer inputs = rasterise(device, scene, from, options.guard);
-    const frame made = run_effect(device, chosen, inputs, how);
-    make_directory(options.directory);
-    write_pfm(options.directory / "ao.pfm", made.visibility);
-    write_png(options.directory / "ao.png", made.visibility);
+    const recipe chosen = supported(device, seen_by(from, wanted));
+    const gbuffer inputs = rasterise(device, scene, from, options.guard, options.depth);
+    check_sight(from, inputs.depth);
+    const std::unique_ptr<prepared_effect> effect[] = {
+        std::make_unique<prepared_effect>(device, chosen, inputs, how)};
+    effect[0]->run();
+    const frame made = effect[0]->picture(); // before timed runs fill histories
+    const frame_times times = take_turns(effect, timed_runs)[0];
+    result_files files(options.directory);
+    write_pfm(files.add("ao.pfm"), made.visibility);
+    write_png(files.add("ao.png"), made.visibility);
     if (made.bent) {
-        write_pfm(options.directory / "bent.pfm", *made.bent);
-        write_pfm(options.directory / "cone.pfm", *made.cone);
-        write_png(options.directory / "bent.png", scaled(*made.bent, 0.5f, 0.5f));
-        write_png(options.directory / "cone.png", scaled(*made.cone, 2 / std::numbers::pi_v<float>, 0));
+        write_pfm(files.add("bent.pfm"), *made.bent);
+        write_pfm(files.add("cone.pfm"), *made.cone);
+        write_png(files.add("bent.png"), scaled(*made.bent, 0.5f, 0.5f));
+        write_png(files.add("cone.png"), scaled(*made.cone, 2 / std::numbers::pi_v<float>, 0));
     }
-    write_pfm(options.directory / "depth.pfm", inputs.depth);
-    write_pfm(options.directory / "normal.pfm", inputs.normal);
+    write_pfm(files.add("depth.pfm"), inputs.depth);
+    write_pfm(files.add("normal.pfm"), inputs.normal);
     const exr_channel channels[] = {{"visibility", made.visibility},
                                     {"depth.Z", inputs.depth},
                                     {"normal.X", inputs.normal, 0},
                                     {"normal.Y", inputs.normal, 1},
                                     {"normal.Z", inputs.normal, 2}};
-    write_exr(options.directory / "frame.exr", channels);
-    write_atomically(options.directory / "meta.json",
-                     describe(options, from, chosen, used, made, std::string(device.name())).dump(2) + "\n");
+    write_exr(files.add("frame.exr"), channels);
+    files.appear(describe(options, from, chosen, settle(chosen, how), times, std::string(device.name())),
+                 options.scene.inputs());
+    fmt::print("{}: visibility of '{}' from '{}', {} x {}, in {:.2f} ms on {}\n", options.directory.string(),
+               options.scene.scene, from.name, from.width, from.height, total(times), device.name());
 }
 
 }
@@ -105,13 +143,14 @@ void add_render(CLI::App& app) {
     options->scene.add_to(*command);
     command->add_option("--recipe", options->recipe, "SAMPLER/DEPTH/ESTIMATOR[/FILTER...], see `crease list`")
         ->required();
-    command->add_option("--set", options->settings,
-                        "name=value of a setting, see `crease list`; may be repeated");
+    add_each(*command, "--set", options->settings, "name=value of a setting, see `crease list`");
     command->add_option("--second-camera", options->second_camera,
                         "name of the camera of a second view; else one is placed beside the first");
     command->add_option("--guard", options->guard, "width of the guard band around the picture, texels")
-        ->check(CLI::Range(0u, 4096u));
-    command->add_option("--frame", options->frame, "index that changes the randomness");
+        ->check(whole_number_from(0, 4096));
+    add_depth_option(*command, options->depth);
+    command->add_option("--frame", options->frame, "index that changes the randomness")
+        ->check(whole_number_from(0, std::numeric_limits<std::uint32_t>::max()));
     command->add_option("--device", options->device, "part of the name of a Vulkan device");
     command->add_flag("--validation", options->validation,
                       "with the validation layers, every message an error");

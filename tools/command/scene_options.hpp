@@ -1,15 +1,50 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "frame/geometry.hpp"
+#include "image/image.hpp"
 #include "scene/scene.hpp"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace crease::tools {
+
+/// Says a line on stderr that is no failure.
+void note(const std::string& sentence);
+
+/// What a camera's picture is like beside what the camera itself says.
+struct lens_options {
+    bool orthographic = false;
+    std::pair<double, double> shift{0, 0};
+
+    void add_to(CLI::App& command);
+    tools::camera apply_to(tools::camera from) const;
+};
+
+/// The option of the device depth that a G-buffer has.
+void add_depth_option(CLI::App& command, device_depth_kind& depth);
+
+/// The triangles of a file, or of the built-in scene.
+mesh scene_of(const std::string& name);
+
+/// Where the cameras of a scene are looked for: <stem>.cameras.json beside it.
+std::filesystem::path cameras_beside(const std::string& scene_name);
+
+/// The cameras of `file` where there is one; else those of the built-in scene, or of the file beside the
+/// scene; else one that is fitted to it, which a line on stderr says.
+std::vector<camera> cameras_of(const std::string& scene_name, const mesh& scene,
+                               const std::filesystem::path& file = {});
+
+/// @param depth  what the camera sees
+/// @throws scene_error where that is background alone
+void check_sight(const camera& from, const image& depth);
 
 /// The arguments that choose a view of a scene.
 struct scene_options {
@@ -18,39 +53,20 @@ struct scene_options {
     std::string camera;
     std::optional<unsigned> width, height;
     std::optional<float> radius;
+    lens_options lens;
 
-    mesh load() const { return scene == "built-in" ? built_in_scene() : load_mesh(scene); }
+    void add_to(CLI::App& command);
 
-    /// The cameras of --cameras; the built-in scene brings its own.
-    std::vector<tools::camera> load_all_cameras() const {
-        if (!cameras.empty())
-            return load_cameras(cameras);
-        if (scene == "built-in")
-            return built_in_cameras();
-        throw scene_error("--cameras is missing: a JSON list of cameras for '" + scene + "'");
-    }
+    /// The camera of --camera, or the first, with what the options change of it.
+    tools::camera choose(const std::vector<tools::camera>& all) const;
 
-    /// The camera of --camera, or the first, with the sizes and the radius that override its own.
-    tools::camera load_camera() const {
-        const std::vector<tools::camera> all = load_all_cameras();
-        if (all.empty())
-            throw scene_error("'" + cameras.string() + "' lists no camera");
-        tools::camera chosen = camera.empty() ? all.front() : find_camera(all, camera);
-        chosen.width = width.value_or(chosen.width);
-        chosen.height = height.value_or(chosen.height);
-        chosen.ao_radius = radius.value_or(chosen.ao_radius);
-        return chosen;
-    }
-
-    void add_to(CLI::App& command) {
-        command.add_option("scene", scene, "a .glb, .gltf or .obj file, or built-in")->required();
-        command.add_option("--cameras", cameras, "JSON list of cameras");
-        command.add_option("--camera", camera, "name of one of them; else the first");
-        command.add_option("--width", width, "texels; else the camera's")->check(CLI::Range(1u, 16384u));
-        command.add_option("--height", height, "texels; else the camera's")->check(CLI::Range(1u, 16384u));
-        command.add_option("--radius", radius, "world-space AO radius; else the camera's")
-            ->check(CLI::NonNegativeNumber);
+    /// The files that are read.
+    std::vector<std::filesystem::path> inputs() const {
+        return {scene, cameras.empty() ? cameras_beside(scene) : cameras};
     }
 };
+
+/// What meta.json says of a view.
+nlohmann::ordered_json described(const scene_options& options, const camera& from);
 
 }

@@ -13,10 +13,17 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace crease::tools {
+
+/// A recipe that cannot be run as it was asked for, or a setting that does not fit it.
+struct recipe_error : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
 
 /// What the rasteriser makes of a scene: the inputs of an effect, and the geometry for what else it captures.
 struct gbuffer {
@@ -24,7 +31,8 @@ struct gbuffer {
     view_parameters view; ///< the projection, the resolution and the guard band, in the unit of what is drawn
     unsigned guard = 0;   ///< width of the guard band, texels
     geometry drawn;
-    std::vector<float> device;  ///< reversed device depth, guard band included; 0 where there is background
+    device_depth_kind depth_kind = device_depth_kind::reversed;
+    std::vector<float> device;  ///< device depth, guard band included
     std::vector<float> normals; ///< four a texel, guard band included: view space, unit, geometric, facing
                                 ///< the camera; 0 where there is background
     image depth;  ///< of the picture: positive linear view depth, world units; the camera's far plane where
@@ -35,7 +43,11 @@ struct gbuffer {
 /// Rasterises the scene, both sides of every triangle, at the camera's width and height and a guard band
 /// around.
 /// @throws vulkan::error, scene_error
-gbuffer rasterise(vulkan::device& device, const mesh& scene, const camera& from, unsigned guard = 0);
+gbuffer rasterise(vulkan::device& device, const mesh& scene, const camera& from, unsigned guard = 0,
+                  device_depth_kind depth = device_depth_kind::reversed);
+
+/// Linear view depth in the unit of what is drawn.
+float linear_depth_of(const gbuffer& inputs, float device);
 
 /// What a picture of an effect took: its geometry passes, and the others.
 struct frame_times {
@@ -57,9 +69,16 @@ struct frame_options {
     std::optional<camera> second = {};     ///< of an effect with a second view; else placed beside the first
 };
 
+/// @throws recipe_error  with the sentence of the refusal
+recipe parse_recipe(std::string_view text);
+
 /// Reads settings given as name=value.
-/// @throws std::runtime_error  that quotes the one that does not read so
+/// @throws recipe_error  that quotes the one that does not read so
 std::map<std::string, float> parse_settings(const std::vector<std::string>& texts);
+
+/// The recipe with the projection of a camera, where it names none.
+/// @throws recipe_error  where it names another
+recipe seen_by(const camera& from, const recipe& chosen);
 
 /// The recipe with what suits the device, where it names none: the first layer storage, in the order of the
 /// index of parts, that the device supports, where it captures layers; on a processor reads by image loads,
@@ -70,9 +89,10 @@ recipe supported(const vulkan::device& device, const recipe& chosen);
 /// given or reconstructed normals.
 class prepared_effect {
 public:
-    /// @throws std::runtime_error  where a setting is unknown to every part of the recipe or out of its
-    /// range;
-    ///         vulkan::error
+    /// @throws recipe_error  where the recipe cannot be run or does not fit the camera, or a setting is
+    /// unknown
+    ///                       to every part of it or out of its range;
+    ///         vulkan::error, scene_error
     prepared_effect(vulkan::device& device, const recipe& chosen, const gbuffer& inputs,
                     const frame_options& options);
 
@@ -109,7 +129,7 @@ std::string name_of(const effect_setting& s);
 std::vector<effect_setting> settings_of(const recipe& chosen);
 
 /// The parameters of a recipe with these settings, before the view.
-/// @throws std::runtime_error  where a setting is unknown to every part of the recipe, or out of its range
+/// @throws recipe_error  where a setting is unknown to every part of the recipe, or out of its range
 parameters settle(const recipe& chosen, const frame_options& options);
 
 }

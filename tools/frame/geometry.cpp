@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>
-#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -38,23 +37,43 @@ std::shared_ptr<vulkan::mesh> upload_geometry(vulkan::device& device, const eye_
     return std::make_shared<vulkan::mesh>(device, flat_vertices(scene));
 }
 
-glm::mat4 projection_matrix(const camera& from, const eye_scale& scene) {
-    if (from.near < scene.farthest * least_depth)
+glm::mat4 projection_matrix(const camera& from, const eye_scale& scene, device_depth_kind depth) {
+    if (!from.orthographic && from.near < scene.farthest * least_depth)
         throw scene_error(fmt::format(
             "the camera '{}': near is {:.3g}, and a 32-bit depth buffer tells depths apart up to {:.3g} "
             "times as far, but the scene reaches {:.3g}; near must be at least {:.3g}",
             from.name, from.near, 1 / least_depth, scene.farthest, scene.farthest * least_depth));
+    if (from.orthographic && depth == device_depth_kind::infinite)
+        throw scene_error("an orthographic camera has no infinite depth; use reversed or standard");
     // Beyond the scene, at 1 or 2, they may lie anywhere.
     const double near = std::min(from.near / scene.unit, 0x1p60),
                  far = std::min(from.far / scene.unit, 0x1p100);
-    const double down = std::tan(glm::radians(double{from.vfov_deg}) / 2),
-                 across = down * from.width / from.height;
+    const view_window window = window_of(from, static_cast<double>(from.width) / from.height);
+    const glm::dvec2 scale = glm::dvec2(1, -1) / window.half, middle = window.middle * scale;
     glm::dmat4 matrix(0);
-    matrix[0][0] = 1 / across;
-    matrix[1][1] = -1 / down;
-    matrix[2][2] = near / (far - near);
-    matrix[2][3] = -1;
-    matrix[3][2] = near * far / (far - near);
+    matrix[0][0] = scale.x;
+    matrix[1][1] = scale.y;
+    if (from.orthographic) {
+        const double length = scene.unit, sign = depth == device_depth_kind::standard ? -1 : 1;
+        matrix[0][0] *= length;
+        matrix[1][1] *= length;
+        matrix[2][2] = sign / (far - near);
+        matrix[3] = {-middle.x, -middle.y, (sign < 0 ? -near : far) / (far - near), 1};
+        return matrix;
+    }
+    matrix[2] = {middle.x, middle.y, 0, -1};
+    switch (depth) {
+    case device_depth_kind::reversed:
+        matrix[2][2] = near / (far - near);
+        matrix[3][2] = near * far / (far - near);
+        break;
+    case device_depth_kind::standard:
+        matrix[2][2] = -far / (far - near);
+        matrix[3][2] = -near * far / (far - near);
+        break;
+    case device_depth_kind::infinite:
+        matrix[3][2] = near;
+    }
     return matrix;
 }
 

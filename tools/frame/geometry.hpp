@@ -24,15 +24,29 @@ struct geometry {
     eye_scale scale;
 };
 
+/// What the depth buffer holds: reversed, 1 at near and 0 at far; standard, 0 at near and 1 at far; or
+/// infinite, 1 at near and 0 at infinity, of perspective cameras alone. As 32-bit numbers are finest at 0,
+/// those that end there are equally fine, beside the distance, at every distance of a perspective.
+enum class device_depth_kind { reversed, standard, infinite };
+
+constexpr const char* name_of(device_depth_kind kind) {
+    constexpr const char* names[] = {"reversed", "standard", "infinite"};
+    return names[static_cast<int>(kind)];
+}
+
+/// Device depth where there is background.
+constexpr float background_of(device_depth_kind kind) {
+    return kind == device_depth_kind::standard ? 1.0f : 0.0f;
+}
+
 /// Positions and face normals of all triangles.
 /// @throws vulkan::error
 std::shared_ptr<vulkan::mesh> upload_geometry(vulkan::device& device, const eye_mesh& scene);
 
-/// View space to Vulkan's clip space, which points down; in the units of the scene. Depth is reversed, 1 at
-/// near and 0 at far, as 32-bit numbers are finest at 0 and so equally fine, beside the distance, at every
-/// distance.
-/// @throws scene_error where near is too small beside the scene
-glm::mat4 projection_matrix(const camera& from, const eye_scale& scene);
+/// View space to Vulkan's clip space, which points down; in the units of the scene.
+/// @throws scene_error where near is too small beside the scene, or an orthographic camera is to see to
+///         infinity
+glm::mat4 projection_matrix(const camera& from, const eye_scale& scene, device_depth_kind depth);
 
 /// The view of a projection.
 /// @param projection  of the picture, without the guard band

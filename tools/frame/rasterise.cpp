@@ -43,10 +43,11 @@ void crop(gbuffer& made) {
     for (std::size_t y = 0; y < from.height; ++y)
         for (std::size_t x = 0; x < from.width; ++x) {
             const std::size_t inside = y * from.width + x, whole = (y + made.guard) * pitch + x + made.guard;
-            const float inverse = made.device[whole] * made.view.depth_unpack[0] + made.view.depth_unpack[1];
-            made.depth.texels[inside] = made.device[whole] == 0.0f
-                                            ? from.far
-                                            : static_cast<float>(made.drawn.scale.unit / double{inverse});
+            const float device = made.device[whole];
+            made.depth.texels[inside] =
+                device == background_of(made.depth_kind)
+                    ? from.far
+                    : static_cast<float>(made.drawn.scale.unit * double{linear_depth_of(made, device)});
             for (std::size_t c = 0; c < 3; ++c)
                 made.normal.texels[3 * inside + c] = made.normals[4 * whole + c];
         }
@@ -54,9 +55,15 @@ void crop(gbuffer& made) {
 
 }
 
-gbuffer rasterise(vulkan::device& device, const mesh& scene, const camera& from, unsigned guard) {
+float linear_depth_of(const gbuffer& inputs, float device) {
+    const float unpacked = device * inputs.view.depth_unpack[0] + inputs.view.depth_unpack[1];
+    return inputs.from.orthographic ? unpacked : 1 / unpacked;
+}
+
+gbuffer rasterise(vulkan::device& device, const mesh& scene, const camera& from, unsigned guard,
+                  device_depth_kind depth) {
     const eye_mesh seen = seen_from(from.eye, scene);
-    const glm::mat4 projection = projection_matrix(from, seen.scale);
+    const glm::mat4 projection = projection_matrix(from, seen.scale, depth);
     glm::mat4 wide = projection;
     float matrix[16];
     std::copy_n(glm::value_ptr(projection), 16, matrix);
@@ -70,7 +77,7 @@ gbuffer rasterise(vulkan::device& device, const mesh& scene, const camera& from,
                                    .fragment = fragment,
                                    .colours = colours,
                                    .push_constant_bytes = sizeof(transforms),
-                                   .reversed_depth = true},
+                                   .reversed_depth = depth != device_depth_kind::standard},
                                   from.width + 2 * guard, from.height + 2 * guard);
     gbuffer made{.from = from,
                  .view = view_of(projection, from.width, from.height, guard),
@@ -78,6 +85,7 @@ gbuffer rasterise(vulkan::device& device, const mesh& scene, const camera& from,
                  .drawn = {upload_geometry(device, seen),
                            {glm::mat4(glm::mat3(view_rotation(from))), wide},
                            seen.scale},
+                 .depth_kind = depth,
                  .device = {},
                  .normals = {},
                  .depth = image(from.width, from.height),

@@ -5,6 +5,7 @@
 
 #include <crease/second_camera.hpp>
 
+#include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
@@ -49,31 +50,39 @@ void upload_inputs(vulkan::runner& runner, const effect_view& effect, const gbuf
         } else {
             std::vector<float> linear;
             for (float z : inputs.device)
-                linear.push_back(
-                    1 / std::max(z * inputs.view.depth_unpack[0] + inputs.view.depth_unpack[1], 1e-15f));
+                linear.push_back(z == background_of(inputs.depth_kind) ? 0 : linear_depth_of(inputs, z));
             runner.upload(wanted.name, linear);
         }
     }
 }
 
-/// The second camera's place: that of the options, or beside the first and turned to the middle of what it
-/// sees.
-void place_second(parameters& how, const gbuffer& inputs, const frame_options& options) {
+/// The places of the further cameras: on both sides of the first, turned to the middle of what it sees, and
+/// half way there; of the second that of the options, if there is one.
+void place_further(parameters& how, const gbuffer& inputs, const frame_options& options) {
     const double unit = inputs.drawn.scale.unit;
+    std::vector<float> seen;
+    for (std::size_t i = 0; i < inputs.depth.texels.size(); ++i)
+        if (inputs.depth.texels[i] < inputs.from.far)
+            seen.push_back(static_cast<float>(inputs.depth.texels[i] / unit));
+    const float middle = seen.empty() ? 1 : median(seen);
+    place_further_camera(how.further_views[0], middle / 4, middle / 4, middle);
+    place_further_camera(how.further_views[1], -middle / 4, middle / 4, middle);
+    place_further_camera(how.further_views[2], 0, middle / 2, middle);
     if (options.second) {
         const glm::dmat3 rotation = view_rotation(*options.second);
         glm::dmat4 turn(rotation * glm::transpose(view_rotation(inputs.from)));
         turn[3] = glm::dvec4(rotation * ((inputs.from.eye - options.second->eye) / unit), 1);
         const glm::mat4 rounded(turn);
         std::copy_n(glm::value_ptr(rounded), 16, how.further_views[0].from_first);
-        return;
     }
-    std::vector<float> seen;
-    for (std::size_t i = 0; i < inputs.depth.texels.size(); ++i)
-        if (inputs.depth.texels[i] < inputs.from.far)
-            seen.push_back(static_cast<float>(inputs.depth.texels[i] / unit));
-    const float middle = seen.empty() ? 1 : median(seen);
-    place_second_camera(how, middle / 4, middle / 4, middle);
+}
+
+/// A recipe with one part more.
+recipe with(const recipe& before, const part& added) {
+    std::vector<const part*> known = {&added}; // of the others some may be a host's own
+    for (const choice& c : before.choices())
+        known.push_back(c.what);
+    return recipe(std::string(before.text().view()) + "/" + std::string(added.name), known);
 }
 
 /// The unit direction that a point of the octahedron stands for.
@@ -85,7 +94,7 @@ glm::vec3 of_octahedron(glm::vec2 point) {
     return glm::normalize(direction);
 }
 
-/// How the camera of a geometry pass draws: of the second at the size of what it fills.
+/// How the camera of a geometry pass draws: of a further one at the size of what it fills.
 transforms transforms_of(const pass& which, parameters& how, const gbuffer& inputs) {
     if (which.view == 0)
         return inputs.drawn.how;
@@ -101,24 +110,31 @@ transforms transforms_of(const pass& which, parameters& how, const gbuffer& inpu
         projection[column][0] *= guard_across;
         projection[column][1] *= guard_down;
     }
-    how.further_views[0].view = view_of(projection, width, height);
+    further_view& further = how.further_views[which.view - 1];
+    further.view = view_of(projection, width, height);
     glm::mat4 turn;
-    std::copy_n(how.further_views[0].from_first, 16, glm::value_ptr(turn));
+    std::copy_n(further.from_first, 16, glm::value_ptr(turn));
     return {turn * inputs.drawn.how.view_from_eye, projection};
 }
 
+}
+
+recipe seen_by(const camera& from, const recipe& chosen) {
+    const part& suits = from.orthographic ? orthographic::description : perspective::description;
+    for (const choice& c : chosen.choices())
+        if (c.what->kind == role::projection && c.what->name != suits.name)
+            throw recipe_error(fmt::format("the recipe has the projection '{}', and the camera '{}' is {}",
+                                           c.what->name, from.name, suits.name));
+    const choice_list all = complete(chosen.choices());
+    return std::ranges::any_of(all, [&](const choice& c) { return c.what->name == suits.name; })
+               ? chosen
+               : with(chosen, suits);
 }
 
 recipe supported(const vulkan::device& device, const recipe& chosen) {
     const auto features = [](const recipe& of) { return std::make_unique<composition>(of)->view().features; };
     const auto has = [](array_view<const choice> parts, role wanted) {
         return std::ranges::any_of(parts, [wanted](const choice& c) { return c.what->kind == wanted; });
-    };
-    const auto with = [](const recipe& before, const part& added) {
-        std::vector<const part*> known = {&added}; // of the others some may be a host's own
-        for (const choice& c : before.choices())
-            known.push_back(c.what);
-        return recipe(std::string(before.text().view()) + "/" + std::string(added.name), known);
     };
     recipe suited = chosen;
     if (device.is_processor() && !has(chosen.choices(), role::image_reads))
@@ -141,19 +157,21 @@ recipe supported(const vulkan::device& device, const recipe& chosen) {
 prepared_effect::prepared_effect(vulkan::device& device, const recipe& wanted, const gbuffer& inputs,
                                  const frame_options& options)
     : inputs_(inputs) {
-    const recipe chosen = supported(device, wanted);
+    const recipe chosen = supported(device, seen_by(inputs.from, wanted));
+    if (!chosen)
+        throw recipe_error(std::string(chosen.error()));
     how_ = settle(chosen, options);
     composed_ = std::make_unique<composition>(chosen);
     const effect_view effect = composed_->view();
     if (!*composed_)
-        throw std::runtime_error(std::string(composed_->error()));
+        throw recipe_error(std::string(composed_->error()));
     if (effect.passes.back().stage == stage_kind::functions ||
         effect.passes.back().dialect != dialect_kind::vulkan)
-        throw std::runtime_error("a recipe that is run is of programs in the vulkan dialect");
+        throw recipe_error("a recipe that is run is of programs in the vulkan dialect");
     how_.view = inputs.view;
     how_.radius = inputs.drawn.scale.radius(options.radius);
     if (effect.views > 1)
-        place_second(how_, inputs, options);
+        place_further(how_, inputs, options);
     runner_ = std::make_unique<vulkan::runner>(
         device, effect, inputs.depth.width, inputs.depth.height,
         vulkan::runner_options{.guard = inputs.guard, .constants = {}, .shaders = {}});
@@ -171,7 +189,7 @@ void prepared_effect::set_geometry() {
                               {.vertex = vertex,
                                .fragment = fragment,
                                .push_constant_bytes = sizeof pushed,
-                               .reversed_depth = true},
+                               .reversed_depth = inputs_.depth_kind != device_depth_kind::standard},
                               *inputs_.drawn.triangles, std::as_bytes(std::span(&pushed, 1)));
     }
 }

@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 
 namespace crease::tools {
 
@@ -31,6 +30,13 @@ std::vector<effect_setting> settings_of(const recipe& chosen) {
     return {planned->settings.begin(), planned->settings.end()};
 }
 
+recipe parse_recipe(std::string_view text) {
+    recipe read(text);
+    if (!read)
+        throw recipe_error(std::string(read.error()));
+    return read;
+}
+
 std::map<std::string, float> parse_settings(const std::vector<std::string>& texts) {
     std::map<std::string, float> settings;
     for (const std::string& text : texts) {
@@ -41,7 +47,7 @@ std::map<std::string, float> parse_settings(const std::vector<std::string>& text
                               ? std::from_chars_result{end, std::errc::invalid_argument}
                               : std::from_chars(text.data() + equals + 1, end, value);
         if (read.ec != std::errc{} || read.ptr != end)
-            throw std::runtime_error(fmt::format("--set {}: it must read name=number", text));
+            throw recipe_error(fmt::format("--set {}: it must read name=number", text));
         settings[text.substr(0, equals)] = value;
     }
     return settings;
@@ -49,7 +55,7 @@ std::map<std::string, float> parse_settings(const std::vector<std::string>& text
 
 parameters settle(const recipe& chosen, const frame_options& options) {
     if (!(options.radius >= 0) || std::isinf(options.radius))
-        throw std::runtime_error(
+        throw recipe_error(
             fmt::format("the radius is {}; it must be finite and not negative", options.radius));
     const std::vector<effect_setting> known = settings_of(chosen);
     parameters settled = default_parameters(known);
@@ -59,10 +65,10 @@ parameters settle(const recipe& chosen, const frame_options& options) {
         const auto found =
             std::ranges::find_if(known, [&name = name](const effect_setting& s) { return s.is(name); });
         if (found == known.end())
-            throw std::runtime_error(fmt::format("no part of this recipe has the setting '{}'; there are {}",
-                                                 name, names_of(known)));
+            throw recipe_error(fmt::format("no part of this recipe has the setting '{}'; there are {}", name,
+                                           names_of(known)));
         if (!set(settled, known, name, value))
-            throw std::runtime_error(
+            throw recipe_error(
                 fmt::format("{}={} is out of its range, {} to {}", name, value, found->least, found->most));
     }
     return settled;

@@ -6,11 +6,13 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <span>
 
 namespace crease::tools {
@@ -44,6 +46,7 @@ public:
         c.width = side("width");
         c.height = side("height");
         c.ao_radius = number("ao_radius");
+        check_names();
         check(c);
         return c;
     }
@@ -52,6 +55,14 @@ private:
     void require(bool holds, std::string_view field, std::string_view sentence) const {
         if (!holds)
             throw scene_error(fmt::format("{}: \"{}\" {}", where_, field, sentence));
+    }
+
+    void check_names() const {
+        constexpr std::string_view known[] = {"name", "eye", "target", "up",     "vfov_deg",
+                                              "near", "far", "width",  "height", "ao_radius"};
+        for (const auto& [name, ignored] : object_.items())
+            require(std::ranges::find(known, name) != std::end(known), name,
+                    fmt::format("is unknown; a camera has {}", fmt::join(known, ", ")));
     }
 
     const json& value(const char* field) const {
@@ -124,8 +135,16 @@ std::vector<camera> load_cameras(const std::filesystem::path& path) {
 
 std::vector<camera> parse_cameras(std::string_view text, std::string_view name) {
     json list;
+    std::set<std::string> names; // of the object that is read
+    const auto once = [&](int, json::parse_event_t event, json& parsed) {
+        if (event == json::parse_event_t::object_start)
+            names.clear();
+        if (event == json::parse_event_t::key && !names.insert(parsed.get<std::string>()).second)
+            throw scene_error(fmt::format("{}: {} stands twice in one camera", name, parsed.dump()));
+        return true;
+    };
     try {
-        list = json::parse(text);
+        list = json::parse(text, once);
     } catch (const json::exception& error) {
         throw scene_error(fmt::format("{}: not JSON: {}", name, error.what()));
     }
@@ -146,6 +165,25 @@ std::vector<camera> parse_cameras(std::string_view text, std::string_view name) 
     return cameras;
 }
 
+camera fitted_camera(const mesh& scene) {
+    glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
+    for (const std::uint32_t i : scene.indices) {
+        low = glm::min(low, scene.positions[i]);
+        high = glm::max(high, scene.positions[i]);
+    }
+    const glm::dvec3 half = (high - low) / 2.0;
+    const double size = std::max({half.x, half.y, half.z}), radius = size * glm::length(half / size);
+    camera from;
+    from.name = "fitted";
+    const double distance = radius / std::sin(glm::radians(double{from.vfov_deg}) / 2);
+    from.target = low + half;
+    from.eye = from.target + distance * glm::normalize(glm::dvec3(2, 2, 3));
+    from.near = static_cast<float>((distance - radius) / 2);
+    from.far = static_cast<float>(2 * (distance + radius));
+    from.ao_radius = static_cast<float>(radius / 10);
+    return from;
+}
+
 const camera& find_camera(std::span<const camera> cameras, std::string_view name) {
     const auto found = std::ranges::find(cameras, name, &camera::name);
     if (found != cameras.end())
@@ -154,6 +192,13 @@ const camera& find_camera(std::span<const camera> cameras, std::string_view name
     for (const camera& c : cameras)
         names += (names.empty() ? "" : ", ") + c.name;
     throw scene_error(fmt::format("there is no camera '{}'; there are: {}", name, names));
+}
+
+view_window window_of(const camera& from, double aspect) {
+    const double down = std::tan(glm::radians(double{from.vfov_deg}) / 2) *
+                        (from.orthographic ? glm::length(from.target - from.eye) : 1);
+    const glm::dvec2 half(down * aspect, down);
+    return {2.0 * half * from.shift, half};
 }
 
 glm::dmat3 view_rotation(const camera& from) {

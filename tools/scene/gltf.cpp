@@ -44,7 +44,7 @@ void check_version(const gltf_value& root) {
 
 void check_extensions(const gltf_value& root) {
     for (std::size_t i = 0; i < root.count("extensionsRequired"); ++i) {
-        const std::string_view name = root["extensionsRequired"][i].text();
+        const std::string_view name = root["extensionsRequired"].at(i).text();
         if (!name.starts_with("KHR_materials_") &&
             std::ranges::find(readable_extensions, name) == std::end(readable_extensions))
             throw scene_error(
@@ -115,8 +115,10 @@ struct skin {
 struct placed_part {
     const part& shape;
     instances copies;
-    std::vector<double> weights;
+    std::vector<double> own_weights; ///< none: those of the mesh
     const skin* moved_by = nullptr;
+
+    const std::vector<double>& weights() const { return own_weights.empty() ? shape.weights : own_weights; }
 
     /// How many of them all primitives and copies have together; not exact above 2^53.
     template <typename Count>
@@ -129,9 +131,9 @@ struct placed_part {
 
     double steps() const {
         const double joints = moved_by ? static_cast<double>(moved_by->joints.size()) : 0;
-        return joints + all([&](const gltf_primitive& p) {
-                   return p.positions->rows() *
-                          (1 + weights.size() + (moved_by ? 4 * p.influences.size() : 0));
+        return joints + static_cast<double>(copies.count()) + all([&](const gltf_primitive& p) {
+                   const std::size_t moves = weights().size() + (moved_by ? 4 * p.influences.size() : 0);
+                   return p.positions->rows() * (1 + moves);
                });
     }
 };
@@ -144,7 +146,7 @@ public:
     mesh read() {
         make_room();
         for (const std::size_t node : nodes_.shown)
-            if (root_["nodes"][node].has("mesh"))
+            if (root_["nodes"].at(node).has("mesh"))
                 add(node);
         return std::move(result_);
     }
@@ -153,7 +155,7 @@ private:
     void make_room() {
         double vertices = 0, triangles = 0, steps = 0;
         for (const std::size_t node : nodes_.shown) {
-            if (!root_["nodes"][node].has("mesh"))
+            if (!root_["nodes"].at(node).has("mesh"))
                 continue;
             const placed_part placed = place(node);
             vertices += placed.all([](const gltf_primitive& p) { return p.positions->rows(); });
@@ -162,7 +164,7 @@ private:
         }
         check(vertices, most_vertices, "vertices");
         check(triangles, most_triangles, "triangles");
-        check(steps, most_placing_steps, "steps of morph targets and joints");
+        check(steps, most_placing_steps, "steps of instances, morph targets and joints");
         result_.positions.reserve(static_cast<std::size_t>(vertices));
         result_.indices.reserve(3 * static_cast<std::size_t>(triangles));
     }
@@ -176,11 +178,10 @@ private:
     }
 
     placed_part place(std::size_t node) {
-        const gltf_value of = root_["nodes"][node];
+        const gltf_value of = root_["nodes"].at(node);
         const part& shape = part_at(of["mesh"]);
-        placed_part placed{.shape = shape, .copies = instances(of, accessors_), .weights = weights_of(of)};
-        if (placed.weights.empty())
-            placed.weights = shape.weights;
+        placed_part placed{
+            .shape = shape, .copies = instances(of, accessors_), .own_weights = weights_of(of)};
         if (of.has("skin"))
             placed.moved_by = &skin_at(of["skin"]);
         if (placed.moved_by && placed.copies.count() != 1)
@@ -192,10 +193,10 @@ private:
         const std::size_t i = reference.index(root_.count("meshes"));
         const auto [place, is_new] = parts_.try_emplace(i);
         if (is_new) {
-            const gltf_value of = root_["meshes"][i];
+            const gltf_value of = root_["meshes"].at(i);
             place->second.weights = weights_of(of);
             for (std::size_t k = 0; k < of["primitives"].size(); ++k)
-                if (gltf_primitive made = read_gltf_primitive(of["primitives"][k], accessors_);
+                if (gltf_primitive made = read_gltf_primitive(of["primitives"].at(k), accessors_);
                     made.triangles > 0)
                     place->second.primitives.push_back(std::move(made));
         }
@@ -206,9 +207,9 @@ private:
         const std::size_t i = reference.index(root_.count("skins"));
         const auto [place, is_new] = skins_.try_emplace(i);
         if (is_new) {
-            const gltf_value of = root_["skins"][i], joints = of["joints"];
+            const gltf_value of = root_["skins"].at(i), joints = of["joints"];
             for (std::size_t k = 0; k < joints.size(); ++k)
-                place->second.joints.push_back(joints[k].index(nodes_.to_world.size()));
+                place->second.joints.push_back(joints.at(k).index(nodes_.to_world.size()));
             if (of.has("inverseBindMatrices")) {
                 const gltf_accessor& matrices = accessors_.read(of["inverseBindMatrices"]);
                 if (!matrices.is_float() || matrices.columns() != 16 || matrices.rows() < joints.size())
@@ -237,7 +238,7 @@ private:
             placed.moved_by ? pose(*placed.moved_by) : std::vector<glm::dmat4>();
         for (std::size_t copy = 0; copy < placed.copies.count(); ++copy)
             for (const gltf_primitive& shape : placed.shape.primitives)
-                add(shape, placed.weights, joints, nodes_.to_world[node] * placed.copies.at(copy));
+                add(shape, placed.weights(), joints, nodes_.to_world[node] * placed.copies.at(copy));
     }
 
     void add(const gltf_primitive& shape, const std::vector<double>& weights,

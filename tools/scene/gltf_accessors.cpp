@@ -109,7 +109,7 @@ const gltf_accessor& gltf_accessors::read(const gltf_value& reference) {
 }
 
 gltf_accessor gltf_accessors::read(std::size_t i) {
-    const gltf_value of = root_["accessors"][i];
+    const gltf_value of = root_["accessors"].at(i);
     gltf_accessor made;
     made.rows_ = of["count"].whole();
     made.columns_ = columns_of(of["type"]);

@@ -81,7 +81,7 @@ gltf_buffers::gltf_buffers(const gltf_value& root, std::optional<std::string_vie
     : root_(root), data_(data), folder_(folder), read_(root.count("buffers")) {}
 
 gltf_buffers::view gltf_buffers::buffer_view(std::size_t i) {
-    const gltf_value of = root_["bufferViews"][i];
+    const gltf_value of = root_["bufferViews"].at(i);
     const std::string_view all = buffer(of["buffer"].index(read_.size()));
     const std::size_t length = of["byteLength"].whole(),
                       offset = of.has("byteOffset") ? of["byteOffset"].whole() : 0;
@@ -94,7 +94,7 @@ gltf_buffers::view gltf_buffers::buffer_view(std::size_t i) {
 }
 
 std::string_view gltf_buffers::buffer(std::size_t i) {
-    const gltf_value of = root_["buffers"][i];
+    const gltf_value of = root_["buffers"].at(i);
     const std::size_t length = of["byteLength"].whole();
     if (!of.has("uri")) {
         if (i != 0 || !data_)

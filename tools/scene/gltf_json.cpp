@@ -58,7 +58,7 @@ std::size_t gltf_value::count(const char* member) const {
     return has(member) ? (*this)[member].size() : 0;
 }
 
-gltf_value gltf_value::operator[](std::size_t i) const {
+gltf_value gltf_value::at(std::size_t i) const {
     if (i >= size())
         fail(fmt::format("has {} elements, and element {} is asked for", size(), i));
     return gltf_value((*json_)[i], fmt::format("{}[{}]", place_, i));
@@ -102,7 +102,7 @@ std::vector<double> gltf_value::numbers(std::size_t count) const {
         fail(fmt::format("must be a list of {} numbers", count));
     std::vector<double> all;
     for (std::size_t i = 0; i < count; ++i)
-        all.push_back((*this)[i].number());
+        all.push_back(at(i).number());
     return all;
 }
 

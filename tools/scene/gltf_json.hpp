@@ -31,7 +31,7 @@ public:
     /// How many elements the list of that name has; 0 where there is none.
     std::size_t count(const char* member) const;
     /// An element of this list.
-    gltf_value operator[](std::size_t i) const;
+    gltf_value at(std::size_t i) const;
 
     std::string_view text() const;
     bool flag() const;

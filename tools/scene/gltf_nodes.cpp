@@ -42,9 +42,9 @@ struct forest {
 forest read_forest(const gltf_value& root, std::size_t count) {
     forest read{std::vector<std::vector<std::size_t>>(count), std::vector<std::size_t>(count, none)};
     for (std::size_t i = 0; i < count; ++i) {
-        const gltf_value node = root["nodes"][i];
+        const gltf_value node = root["nodes"].at(i);
         for (std::size_t k = 0; k < node.count("children"); ++k) {
-            const gltf_value reference = node["children"][k];
+            const gltf_value reference = node["children"].at(k);
             const std::size_t child = reference.index(count);
             if (read.parent[child] != none)
                 reference.fail(
@@ -80,9 +80,9 @@ std::vector<std::size_t> top_nodes(const gltf_value& root, const forest& nodes) 
         return top;
     }
     std::vector<bool> listed(nodes.parent.size());
-    const gltf_value scene = root["scenes"][root.has("scene") ? root["scene"].index(scenes) : 0];
+    const gltf_value scene = root["scenes"].at(root.has("scene") ? root["scene"].index(scenes) : 0);
     for (std::size_t k = 0; k < scene.count("nodes"); ++k) {
-        const gltf_value reference = scene["nodes"][k];
+        const gltf_value reference = scene["nodes"].at(k);
         const std::size_t node = reference.index(nodes.parent.size());
         if (nodes.parent[node] != none || listed[node])
             reference.fail(
@@ -109,7 +109,7 @@ gltf_nodes read_gltf_nodes(const gltf_value& root) {
         if (nodes.parent[i] == none)
             walk(nodes, i, [&](std::size_t node) {
                 const std::size_t parent = nodes.parent[node];
-                const glm::dmat4 own = to_parent(root["nodes"][node]);
+                const glm::dmat4 own = to_parent(root["nodes"].at(node));
                 placed.to_world[node] = parent == none ? own : placed.to_world[parent] * own;
                 ++reached;
             });

@@ -52,7 +52,7 @@ gltf_primitive read_gltf_primitive(const gltf_value& of, gltf_accessors& accesso
         require_data(of, *made.indices, "indices");
     }
     for (std::size_t i = 0; i < of.count("targets"); ++i) {
-        const gltf_value target = of["targets"][i];
+        const gltf_value target = of["targets"].at(i);
         made.targets.push_back(
             target.has("POSITION") ? &read(target["POSITION"], accessors, 3, made.positions) : nullptr);
     }

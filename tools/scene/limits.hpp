@@ -17,8 +17,8 @@ inline constexpr std::size_t most_vertices = std::size_t{1} << 24;
 /// Triangles, likewise.
 inline constexpr std::size_t most_triangles = std::size_t{1} << 24;
 
-/// Positions that are looked at to place all vertices: each vertex, again for each morph target and each
-/// joint that moves it, and each joint.
+/// Steps that place all vertices: one for each vertex, each morph target and joint that may move it, each
+/// instance and each joint.
 inline constexpr std::size_t most_placing_steps = std::size_t{1} << 26;
 
 }

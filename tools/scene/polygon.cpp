@@ -11,8 +11,8 @@
 namespace crease::tools {
 namespace {
 
-/// More would take seconds; a polygon of 10'000 corners in a zigzag needs about this many.
-constexpr std::size_t most_tests = 200'000'000;
+/// More would take seconds; a convex polygon of 10'000 corners needs this many.
+constexpr std::size_t most_tests = 50'000'000;
 
 /// Twice the signed area of a triangle.
 double area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {

@@ -3,6 +3,7 @@
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <cstdint>
@@ -51,24 +52,43 @@ mesh load_mesh(const std::filesystem::path& path);
 /// @throws scene_error
 mesh parse_mesh(std::string_view bytes, std::string_view extension, std::string_view name);
 
-/// A perspective camera. World units; right-handed; view space looks down -Z with +Y up.
+/// A camera. World units; right-handed; view space looks down -Z with +Y up.
 struct camera {
     std::string name;
     glm::dvec3 eye{0}, target{0, 0, -1}, up{0, 1, 0};
-    float vfov_deg = 60;                 ///< vertical field of view, in (0, 180)
+    float vfov_deg = 60;                 ///< vertical field of view of a centred picture, in (0, 180)
     float near = 0.1f;                   ///< > 0
     float far = 100;                     ///< > near
     unsigned width = 1280, height = 720; ///< texels, 1 to 16384
     float ao_radius = 1;                 ///< a sensible world-space radius for what it sees, >= 0
+    bool orthographic =
+        false;           ///< parallel rays; the picture is as high as the field of view is at the target
+    glm::dvec2 shift{0}; ///< of the picture's middle away from the axis, in its widths to the right and its
+                         ///< heights up; off-centre where it is not 0
 };
 
-/// Reads a JSON list of cameras: objects with exactly the names of `camera`'s members.
+/// The rectangle of view space that a picture shows: at depth 1, or of an orthographic camera at any depth.
+struct view_window {
+    glm::dvec2 middle, half; ///< half its width and height
+
+    /// Where in the picture a point lies: -1 to 1 in both, up and to the right.
+    glm::dvec2 place_of(const glm::dvec2& xy) const { return (xy - middle) / half; }
+};
+
+/// @param aspect  width / height of the picture
+view_window window_of(const camera& from, double aspect);
+
+/// Reads a JSON list of cameras: objects with exactly the names of `camera`'s members up to `ao_radius`.
 /// @throws scene_error, which names the camera and the field; file_error
 std::vector<camera> load_cameras(const std::filesystem::path& path);
 
 /// As `load_cameras`, from text; `name` is what an error calls it.
 /// @throws scene_error
 std::vector<camera> parse_cameras(std::string_view json, std::string_view name);
+
+/// A camera in front of a scene, to its right and above it, that sees all of it; its radius is a tenth of
+/// that of the sphere around the scene.
+camera fitted_camera(const mesh& scene);
 
 /// @throws scene_error that lists the names there are
 const camera& find_camera(std::span<const camera> cameras, std::string_view name);

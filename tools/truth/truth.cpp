@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
-#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -73,17 +72,20 @@ public:
     texel_tracer(eye_mesh scene, const camera& from, const truth_settings& settings, truth& result)
         : unit_(scene.scale.unit), radius_(scene.scale.radius(settings.radius)), scene_(std::move(scene)),
           camera_(from), settings_(settings), result_(result), view_(view_rotation(from)),
-          half_height_(std::tan(glm::radians(double{from.vfov_deg}) / 2)),
-          half_width_(half_height_ * settings.width / settings.height) {}
+          window_(window_of(from, static_cast<double>(settings.width) / settings.height)) {}
 
     /// Depth, normal and, where it may occlude, what lies around.
     void trace(unsigned x, unsigned y, bool gathers) const {
-        const glm::dvec3 through(half_width_ * (2 * (x + 0.5) / settings_.width - 1),
-                                 half_height_ * (1 - 2 * (y + 0.5) / settings_.height), -1);
+        const glm::dvec2 through =
+            window_.middle + window_.half * glm::dvec2(2 * (x + 0.5) / settings_.width - 1,
+                                                       1 - 2 * (y + 0.5) / settings_.height);
+        const glm::dmat3 world = glm::transpose(view_);
         // Left at length 1 along the view, so that the ray's parameter is the view depth.
-        const glm::vec3 direction(glm::transpose(view_) * through);
-        const auto hit =
-            scene_.first_hit(glm::vec3(0), direction, depth_of(camera_.near), depth_of(camera_.far));
+        const glm::vec3 origin =
+                            camera_.orthographic ? world * glm::dvec3(through / unit_, 0) : glm::dvec3(0),
+                        direction =
+                            world * (camera_.orthographic ? glm::dvec3(0, 0, -1) : glm::dvec3(through, -1));
+        const auto hit = scene_.first_hit(origin, direction, depth_of(camera_.near), depth_of(camera_.far));
         if (!hit)
             return;
         result_.depth.at(x, y) = static_cast<float>(-(view_ * glm::dvec3(hit->position)).z * unit_);
@@ -131,8 +133,9 @@ private:
     /// Whether no surface hides a point from the camera; what lies outside the picture counts as seen.
     bool is_seen(const glm::vec3& point) const {
         const glm::dvec3 at = view_ * glm::dvec3(point);
-        const double x = (at.x / -at.z / half_width_ + 1) / 2 * settings_.width,
-                     y = (1 - at.y / -at.z / half_height_) / 2 * settings_.height;
+        const glm::dvec2 place =
+            window_.place_of(camera_.orthographic ? glm::dvec2(at) * unit_ : glm::dvec2(at) / -at.z);
+        const double x = (place.x + 1) / 2 * settings_.width, y = (1 - place.y) / 2 * settings_.height;
         if (!(at.z < 0 && x >= 0 && y >= 0 && x < settings_.width && y < settings_.height))
             return true;
         // A surface that is hidden by less than this is only a neighbour's slope.
@@ -147,7 +150,7 @@ private:
     const truth_settings& settings_;
     truth& result_;
     glm::dmat3 view_;
-    double half_height_, half_width_; ///< of the picture, at depth 1
+    view_window window_;
 };
 
 /// Does every row once, on all threads; only the calling thread, which works too, reports.

@@ -43,6 +43,9 @@ struct truth {
     image normal; ///< 3 channels: unit geometric normal in view space, facing the camera; 0 in the background
 };
 
+/// Raise it with each change after which `trace_truth` gives other images.
+inline constexpr int tracer_version = 1;
+
 /// 1 where geometry that the camera cannot see takes more than 0.15 of the visibility, else 0.
 image hidden_mask(const truth& traced);
 

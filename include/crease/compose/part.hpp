@@ -34,7 +34,8 @@ struct setting {
 
 /// Cameras that a part adds to that of the picture.
 struct view_request {
-    unsigned count = 0; ///< how many
+    unsigned count = 0;    ///< how many
+    int count_number = -1; ///< index of the part's number that says how many more; -1: none
     int divisor = -1; ///< index of the part's number that divides the resolution of their pictures; -1: none
 };
 

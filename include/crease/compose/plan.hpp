@@ -218,9 +218,12 @@ constexpr plan make_plan(array_view<const choice> choices) {
                 p.parts.add(c);
     unsigned view_divisor = 1;
     for (const choice& c : p.parts) {
-        p.views += c.what->further_views.count;
-        if (c.what->further_views.divisor >= 0)
-            view_divisor = static_cast<unsigned>(c.numbers[c.what->further_views.divisor]);
+        const view_request& further = c.what->further_views;
+        p.views += further.count;
+        if (further.count_number >= 0)
+            p.views += static_cast<unsigned>(c.numbers[further.count_number]);
+        if (further.divisor >= 0)
+            view_divisor = static_cast<unsigned>(c.numbers[further.divisor]);
         planning::add_settings(p, c);
     }
     p.resources.add({.name = "parameters", .kind = resource_kind::block});

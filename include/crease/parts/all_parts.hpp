@@ -21,6 +21,7 @@
 #include <crease/parts/dialect/opengl.hpp>
 #include <crease/parts/dialect/vulkan.hpp>
 #include <crease/parts/estimator/cosine_bitmask.hpp>
+#include <crease/parts/estimator/gtao.hpp>
 #include <crease/parts/estimator/hbao.hpp>
 #include <crease/parts/estimator/hbao_plus.hpp>
 #include <crease/parts/estimator/line_volume.hpp>
@@ -28,13 +29,14 @@
 #include <crease/parts/estimator/point_volume.hpp>
 #include <crease/parts/estimator/ssao.hpp>
 #include <crease/parts/estimator/unsharp_mask.hpp>
+#include <crease/parts/estimator/visibility_bitmask.hpp>
 #include <crease/parts/filter/bilateral.hpp>
 #include <crease/parts/filter/plane_filter.hpp>
 #include <crease/parts/filter/separable_plane_filter.hpp>
 #include <crease/parts/filter/upsample.hpp>
 #include <crease/parts/noise/blue_noise.hpp>
 #include <crease/parts/noise/hashed_noise.hpp>
-#include <crease/parts/noise/hilbert_noise.hpp>
+#include <crease/parts/noise/hilbert_r2_noise.hpp>
 #include <crease/parts/noise/interleaved_gradient_noise.hpp>
 #include <crease/parts/noise/tiled_noise.hpp>
 #include <crease/parts/output/bent_cone.hpp>
@@ -55,6 +57,7 @@
 #include <crease/parts/sampler/hemisphere_points.hpp>
 #include <crease/parts/sampler/poisson_disk.hpp>
 #include <crease/parts/sampler/sample_box.hpp>
+#include <crease/parts/sampler/slices.hpp>
 #include <crease/parts/sampler/sphere_lines.hpp>
 #include <crease/parts/sampler/sphere_points.hpp>
 #include <crease/parts/scan/subgroup_scan.hpp>
@@ -71,6 +74,7 @@
 #include <crease/parts/traversal/deferred_layers.hpp>
 #include <crease/parts/traversal/front_first.hpp>
 #include <crease/parts/view/device_depth.hpp>
+#include <crease/parts/view/further_views.hpp>
 #include <crease/parts/view/given_normals.hpp>
 #include <crease/parts/view/linear_depth.hpp>
 #include <crease/parts/view/linearised_depth.hpp>
@@ -85,6 +89,7 @@ namespace crease {
 inline constexpr const part* all_parts[] = {
     &directions_part::description,
     &half_directions_part::description,
+    &slices_part::description,
     &hemisphere_points_part::description,
     &poisson_disk_part::description,
     &sphere_points_part::description,
@@ -103,6 +108,8 @@ inline constexpr const part* all_parts[] = {
     &depth_pyramid_part::description,
     &hbao::description,
     &hbao_plus::description,
+    &gtao::description,
+    &visibility_bitmask::description,
     &cosine_bitmask_part::description,
     &mean_height_part::description,
     &ssao::description,
@@ -116,6 +123,7 @@ inline constexpr const part* all_parts[] = {
     &work_efficient_scan::description,
     &subgroup_scan::description,
     &second_view_part::description,
+    &further_views_part::description,
     &centred_samples_part::description,
     &multisampled_part::description,
     &atomic_minimum_part::description,
@@ -145,7 +153,7 @@ inline constexpr const part* all_parts[] = {
     &hashed_noise::description,
     &tiled_noise_part::description,
     &interleaved_gradient_noise::description,
-    &hilbert_noise::description,
+    &hilbert_r2_noise::description,
     &blue_noise::description,
     &first_surface::description,
     &texel_fetch::description,

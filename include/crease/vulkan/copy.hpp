@@ -13,10 +13,14 @@ inline VkExtent3D extent_of(const image& of, std::uint32_t level) {
     return {std::max(d.width >> level, 1u), std::max(d.height >> level, 1u), 1};
 }
 
+/// @throws error  where crease does not know its texels
 inline std::size_t bytes_in(const image& of, std::uint32_t level) {
+    const image_description& d = of.description();
+    if (d.texels == format::none)
+        throw error("the image '" + d.name + "' holds " + name_of(of.vulkan_format()) +
+                    ", which crease does not copy");
     const VkExtent3D size = extent_of(of, level);
-    return std::size_t{size.width} * size.height * of.description().layers *
-           texel_of(of.description().texels).bytes;
+    return std::size_t{size.width} * size.height * d.layers * texel_of(d.texels).bytes;
 }
 
 inline std::size_t bytes_in(const image& of) {
@@ -26,6 +30,12 @@ inline std::size_t bytes_in(const image& of) {
     return bytes;
 }
 
+/// @throws error  where the image was not made for it
+inline void expect_made_for(const image& of, VkImageUsageFlags wanted) {
+    if (!(of.description().usage & wanted))
+        throw error("the image '" + of.description().name + "' was not made for " + uses_of(wanted));
+}
+
 /// All levels, one after the other.
 inline std::vector<VkBufferImageCopy> whole(const image& of) {
     std::vector<VkBufferImageCopy> regions;
@@ -33,7 +43,7 @@ inline std::vector<VkBufferImageCopy> whole(const image& of) {
     for (std::uint32_t level = 0; level < of.levels(); ++level) {
         VkBufferImageCopy region{};
         region.bufferOffset = at;
-        region.imageSubresource = {of.aspect(), level, 0, of.description().layers};
+        region.imageSubresource = {of.range().aspectMask, level, 0, of.description().layers};
         region.imageExtent = extent_of(of, level);
         regions.push_back(region);
         at += bytes_in(of, level);
@@ -60,8 +70,9 @@ namespace crease::vulkan {
 
 /// Fills an image made for VK_IMAGE_USAGE_TRANSFER_DST: row after row, layer after layer, level
 /// after level, without gaps.
-/// @throws error  where the number of bytes is not the image's
+/// @throws error  where the number of bytes is not the image's, or it was not made for that
 inline void upload(device& on, image& to, std::span<const std::byte> bytes) {
+    detail::expect_made_for(to, VK_IMAGE_USAGE_TRANSFER_DST_BIT);
     detail::expect_count(to, detail::bytes_in(to), bytes.size(), "bytes");
     const buffer staging(on, bytes.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, transfer::to_device,
                          "upload of " + to.description().name);
@@ -89,7 +100,9 @@ inline void upload(device& on, image& to, std::span<const std::uint32_t> numbers
 }
 
 /// The bytes of an image made for VK_IMAGE_USAGE_TRANSFER_SRC, in the order in which upload() takes them.
+/// @throws error  where it was not made for that
 inline std::vector<std::byte> download_bytes(device& on, image& from) {
+    detail::expect_made_for(from, VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
     const buffer staging(on, detail::bytes_in(from), VK_BUFFER_USAGE_TRANSFER_DST_BIT, transfer::from_device,
                          "download of " + from.description().name);
     on.submit([&](VkCommandBuffer commands) {

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <crease/vulkan/features.hpp>
+#include <crease/vulkan/host_device.hpp>
 #include <crease/vulkan/sample_locations.hpp>
-#include <crease/vulkan/selection.hpp>
 
-#include <cmath>
+#include <algorithm>
+#include <cstring>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,19 +21,31 @@ struct device_options {
     bool validation = false; ///< check every call by VK_LAYER_KHRONOS_validation, synchronization included
 };
 
-/// A Vulkan 1.1 device without a window, and one queue for graphics and compute. One thread at a time may use
-/// it and what was made from it. It must outlive what was made from it.
+/// A Vulkan 1.1 device, and one queue for graphics and compute: its own, without a window, or a host's. One
+/// thread at a time may use it and what was made from it, and so the host's queue. It must outlive what was
+/// made from it, and a host's device must outlive it.
 ///
 /// With validation every warning and error is collected, and the next submission of work throws them.
 class device {
 public:
     /// @throws error  where there is no driver, no device of that name (with those there are), or no
     /// validation layer
-    explicit device(const device_options& options = {}) : instance_(options.validation) {
-        selected_ = detail::select(instance_, options.name);
+    explicit device(const device_options& options = {}) : instance_(std::in_place, options.validation) {
+        selected_ = detail::select(*instance_, options.name);
         make_queue();
         make_commands();
         check_messages();
+    }
+    /// Uses a host's device as it is; its validation is the host's.
+    /// @throws error  where a handle is missing, Vulkan is older than 1.1, or the queue cannot both draw and
+    ///                compute
+    explicit device(const host_device& of)
+        : selected_(detail::select(of)), handle_(of.handle), queue_(of.queue) {
+        const bool places_samples = std::ranges::any_of(of.extensions, [](const char* name) {
+            return std::strcmp(name, VK_EXT_SAMPLE_LOCATIONS_EXTENSION_NAME) == 0;
+        });
+        find_features(of.features, places_samples);
+        make_commands();
     }
     device(const device&) = delete;
     device& operator=(const device&) = delete;
@@ -45,7 +59,7 @@ public:
     /// Vulkan's limits of the device.
     const VkPhysicalDeviceLimits& limits() const { return selected_.properties.limits; }
     /// The logical device.
-    VkDevice handle() const { return logical_.handle; }
+    VkDevice handle() const { return handle_; }
     /// The physical device.
     VkPhysicalDevice physical() const { return selected_.physical; }
 
@@ -53,13 +67,16 @@ public:
     void require(const device_features& wanted) const {
         const std::string missing = detail::missing_features(features_, wanted);
         if (!missing.empty())
-            throw error("the device '" + name() + "' lacks " + missing + ", which the effect requires");
+            throw error("the device '" + name() + "' " + (instance_ ? "lacks " : "was made without ") +
+                        missing + ", which the effect requires");
     }
 
     /// @throws error  with what validation has said and no call has thrown yet
     void check_messages() {
+        if (!instance_)
+            return;
         std::string all;
-        for (const std::string& message : instance_.take_messages())
+        for (const std::string& message : instance_->take_messages())
             all += "\n" + message;
         if (!all.empty())
             throw error("Vulkan validation says:" + all);
@@ -86,21 +103,26 @@ public:
     bool has_timestamps() const { return selected_.timestamp_bits != 0; }
 
 private:
-    detail::instance instance_;
+    std::optional<detail::instance> instance_; ///< none where the device is a host's
     detail::selected_device selected_;
     device_features features_;
-    detail::owned_device logical_;
+    detail::owned_device own_; ///< null where it is a host's
+    VkDevice handle_ = VK_NULL_HANDLE;
     VkQueue queue_ = VK_NULL_HANDLE;
     detail::owned_command_pool commands_;
     VkCommandBuffer command_buffer_ = VK_NULL_HANDLE;
     detail::owned_fence fence_;
 
+    void find_features(const VkPhysicalDeviceFeatures& enabled, bool places_samples) {
+        features_ = detail::features_of(enabled, selected_.properties.limits,
+                                        detail::subgroups_of(selected_.physical),
+                                        places_samples ? detail::placeable_samples(selected_.physical) : 0);
+    }
+
     void make_queue() {
         VkPhysicalDeviceFeatures supported, enabled{};
         vkGetPhysicalDeviceFeatures(selected_.physical, &supported);
-        features_ = detail::features_of(supported, selected_.properties.limits,
-                                        detail::subgroups_of(selected_.physical),
-                                        detail::placeable_samples(selected_.physical));
+        find_features(supported, true);
         for (const detail::known_feature& known : detail::known_features)
             enabled.*known.flag = supported.*known.flag;
 
@@ -116,30 +138,30 @@ private:
         const char* const sample_locations = VK_EXT_SAMPLE_LOCATIONS_EXTENSION_NAME;
         info.enabledExtensionCount = features_.centred_depth_samples ? 1 : 0;
         info.ppEnabledExtensionNames = &sample_locations;
-        detail::check(vkCreateDevice(selected_.physical, &info, nullptr, &logical_.handle),
+        detail::check(vkCreateDevice(selected_.physical, &info, nullptr, &own_.handle),
                       "use the device '" + name() + "'");
-        vkGetDeviceQueue(logical_.handle, selected_.queue_family, 0, &queue_);
+        handle_ = own_.handle;
+        vkGetDeviceQueue(handle_, selected_.queue_family, 0, &queue_);
     }
 
     void make_commands() {
         auto pool = detail::blank<VkCommandPoolCreateInfo>(VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO);
         pool.queueFamilyIndex = selected_.queue_family;
-        commands_ = detail::make<detail::owned_command_pool>(logical_.handle, vkCreateCommandPool, pool,
-                                                             "a command pool");
+        commands_ =
+            detail::make<detail::owned_command_pool>(handle_, vkCreateCommandPool, pool, "a command pool");
         auto buffer =
             detail::blank<VkCommandBufferAllocateInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO);
         buffer.commandPool = commands_;
         buffer.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
         buffer.commandBufferCount = 1;
-        detail::check(vkAllocateCommandBuffers(logical_.handle, &buffer, &command_buffer_),
-                      "make a command buffer");
+        detail::check(vkAllocateCommandBuffers(handle_, &buffer, &command_buffer_), "make a command buffer");
         const auto fence = detail::blank<VkFenceCreateInfo>(VK_STRUCTURE_TYPE_FENCE_CREATE_INFO);
-        fence_ = detail::make<detail::owned_fence>(logical_.handle, vkCreateFence, fence, "a fence");
+        fence_ = detail::make<detail::owned_fence>(handle_, vkCreateFence, fence, "a fence");
     }
 
     void begin() {
         check_messages();
-        detail::check(vkResetCommandPool(logical_.handle, commands_, 0), "reset the commands");
+        detail::check(vkResetCommandPool(handle_, commands_, 0), "reset the commands");
         auto info = detail::blank<VkCommandBufferBeginInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO);
         info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
         detail::check(vkBeginCommandBuffer(command_buffer_, &info), "record commands");
@@ -152,9 +174,8 @@ private:
         info.pCommandBuffers = &command_buffer_;
         const VkFence fence = fence_;
         detail::check(vkQueueSubmit(queue_, 1, &info, fence), "submit commands");
-        detail::check(vkWaitForFences(logical_.handle, 1, &fence, VK_TRUE, ~std::uint64_t{0}),
-                      "wait for the device");
-        detail::check(vkResetFences(logical_.handle, 1, &fence), "reset a fence");
+        detail::check(vkWaitForFences(handle_, 1, &fence, VK_TRUE, ~std::uint64_t{0}), "wait for the device");
+        detail::check(vkResetFences(handle_, 1, &fence), "reset a fence");
         check_messages();
     }
 };

@@ -3,10 +3,10 @@
 
 #include <crease/vulkan/copy.hpp>
 #include <crease/vulkan/descriptors.hpp>
-#include <crease/vulkan/usage.hpp>
+#include <crease/vulkan/image_fit.hpp>
 
 #include <algorithm>
-#include <bit>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -98,18 +98,21 @@ public:
     /// The runner's own image of an input, bound to it.
     /// @throws error  where there is no such input
     image& own_input(std::string_view name) {
-        const std::size_t i = input_of(name);
+        const std::size_t i = named({lifetime::input}, "input", name);
         if (!own_[i])
             make_image(i);
         set_image(i, *own_[i]);
         return *own_[i];
     }
 
-    /// @throws error  where there is no such input, or the image does not fit it
-    void bind(std::string_view name, image& input) {
-        const std::size_t i = input_of(name);
-        expect_fit(effect_.resources[i], input.description());
-        set_image(i, input);
+    /// @throws error  where there is no such input or output, or the image does not fit it
+    void bind(std::string_view name, image& given) {
+        const std::size_t i = named({lifetime::input, lifetime::output}, "input or output", name);
+        const resource& r = effect_.resources[i];
+        expect_fit({r, size_of(r.size), usage_by_passes(effect_, i)}, given);
+        set_image(i, given);
+        if (own_[i].get() != &given)
+            own_[i].reset();
     }
 
     /// @throws error  where an input was neither uploaded nor bound
@@ -237,37 +240,19 @@ private:
         }
     }
 
-    std::size_t input_of(std::string_view name) const {
+    /// The image of a name that lives in one of these ways.
+    std::size_t named(std::initializer_list<lifetime> lives, const std::string& kind,
+                      std::string_view name) const {
         std::string names;
         for (std::size_t i = 0; i < effect_.resources.size(); ++i) {
-            if (!is_image(i) || effect_.resources[i].life != lifetime::input)
+            if (!is_image(i) || std::ranges::find(lives, effect_.resources[i].life) == lives.end())
                 continue;
             if (effect_.resources[i].name == name)
                 return i;
             names += (names.empty() ? "" : ", ") + quoted(i);
         }
-        throw error("there is no input named '" + std::string(name) + "'; there is " +
+        throw error("there is no " + kind + " named '" + std::string(name) + "'; there is " +
                     (names.empty() ? "none" : names));
-    }
-
-    void expect_fit(const resource& wanted, const image_description& given) const {
-        const std::string refusal =
-            "the image '" + given.name + "' cannot be the input '" + std::string(wanted.name) + "': ";
-        if (!(given.usage & VK_IMAGE_USAGE_SAMPLED_BIT))
-            throw error(refusal + "it was not made for sampling");
-        if (facts_of(given.texels).whole_numbers != facts_of(wanted.texels).whole_numbers)
-            throw error(refusal + "it holds " + texel_of(given.texels).name);
-        if (given.layers != wanted.layers || given.arrayed != wanted.arrayed ||
-            given.samples != wanted.samples)
-            throw error(refusal + "it has " + std::to_string(given.layers) + " layers and " +
-                        std::to_string(given.samples) + " samples a texel");
-        if (given.levels < wanted.levels &&
-            given.levels < std::bit_width(std::max(given.width, given.height)))
-            throw error(refusal + "it has " + std::to_string(given.levels) + " mip levels, not " +
-                        std::to_string(wanted.levels));
-        if (given.width < size_of(wanted.size).width || given.height < size_of(wanted.size).height)
-            throw error(refusal + "it is only " + std::to_string(given.width) + " x " +
-                        std::to_string(given.height));
     }
 };
 

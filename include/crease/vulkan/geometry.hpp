@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/spirv/compile.hpp>
 #include <crease/vulkan/descriptors.hpp>
 #include <crease/vulkan/mesh.hpp>
 #include <crease/vulkan/pipeline.hpp>
 #include <crease/vulkan/render_target.hpp>
+#include <crease/vulkan/shaders.hpp>
 
 #include <memory>
 #include <span>
@@ -14,13 +14,24 @@
 
 namespace crease::vulkan {
 
-/// What a host brings to a geometry pass.
+/// What a host brings to a geometry pass; no GLSL where its SPIR-V is among the options of the runner.
 struct geometry_shaders {
     std::span<const piece> vertex;   ///< GLSL; `layout(location = 0) in vec3` is the position, 1 the normal
     std::span<const piece> fragment; ///< GLSL without `#version`; its main calls `crease_capture`
     std::uint32_t push_constant_bytes = 0; ///< that both shaders may read; a multiple of 4, at most 128
     bool reversed_depth = false;           ///< the greatest device depth is the nearest
 };
+
+/// Compiles a geometry pass, which the host's shaders make whole.
+/// @throws spirv::error  where they do not compile
+inline pass_shaders compile(const pass& which, const geometry_shaders& host) {
+    std::vector<piece> whole{{"version", "#version 450\n"}};
+    whole.insert(whole.end(), which.pieces.begin(), which.pieces.end());
+    whole.insert(whole.end(), host.fragment.begin(), host.fragment.end());
+    return {spirv::compile(whole, spirv::shader_stage::fragment,
+                           "the geometry pass '" + std::string(which.name) + "'"),
+            spirv::compile(host.vertex, spirv::shader_stage::vertex, "the vertex shader")};
+}
 
 }
 
@@ -33,18 +44,18 @@ public:
     /// @param size        of what it fills, texels
     /// @param values      of the pass's constants, in their order
     /// @param ways        round in which histories can lie
-    /// @throws error         where the device lacks a limit or memory
-    /// @throws spirv::error  where the host's shaders with the pass's functions do not compile
+    /// @param shaders     SPIR-V, as compile() gives it
+    /// @throws error  where the device lacks a limit or memory
     prepared_geometry(device& on, const pass& of, std::span<const resource> resources, image* attachment,
-                      VkExtent2D size, const geometry_shaders& host, std::span<const std::int32_t> values,
-                      std::size_t ways)
+                      VkExtent2D size, const geometry_shaders& host, const pass_shaders& shaders,
+                      std::span<const std::int32_t> values, std::size_t ways)
         : pass_(of), push_bytes_(host.push_constant_bytes), clear_depth_(host.reversed_depth ? 0.0f : 1.0f),
           descriptors_(on, of.bindings, resources, VK_SHADER_STAGE_FRAGMENT_BIT, ways, push_bytes_,
                        geometry_stages) {
         expect_push_size(on, push_bytes_);
         target_ = std::make_unique<render_target>(on, std::vector<image*>(), attachment, size,
                                                   earlier_content::cleared);
-        make_pipeline(on, host, specialization(of.constants, values));
+        make_pipeline(on, shaders, specialization(of.constants, values));
     }
 
     /// What is drawn from now on. The mesh must outlive the runs.
@@ -77,21 +88,14 @@ private:
     const mesh* triangles_ = nullptr;
     std::vector<std::byte> pushed_;
 
-    void make_pipeline(const device& on, const geometry_shaders& host, const specialization& constants) {
-        std::vector<piece> whole{{"version", "#version 450\n"}};
-        whole.insert(whole.end(), pass_.pieces.begin(), pass_.pieces.end());
-        whole.insert(whole.end(), host.fragment.begin(), host.fragment.end());
-        const spirv::words vertex =
-            spirv::compile(host.vertex, spirv::shader_stage::vertex, "the vertex shader");
-        const spirv::words fragment = spirv::compile(whole, spirv::shader_stage::fragment,
-                                                     "the geometry pass '" + std::string(pass_.name) + "'");
+    void make_pipeline(const device& on, const pass_shaders& shaders, const specialization& constants) {
         pipeline_ = make_graphics_pipeline(
-            on, {.vertex = vertex,
-                 .fragment = fragment,
+            on, {.vertex = shaders.vertex,
+                 .fragment = shaders.main,
                  .layout = descriptors_.layout(),
                  .target = target_.get(),
                  .constants = &constants,
-                 .vertex_input = mesh_input(vertex),
+                 .vertex_input = mesh_input(shaders.vertex),
                  .nearer = clear_depth_ == 0 ? VK_COMPARE_OP_GREATER : VK_COMPARE_OP_LESS});
     }
 };

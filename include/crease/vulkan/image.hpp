@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <crease/vulkan/formats.hpp>
+#include <crease/vulkan/host_image.hpp>
 #include <crease/vulkan/memory.hpp>
 #include <crease/vulkan/sample_locations.hpp>
-#include <crease/vulkan/texels.hpp>
+#include <crease/vulkan/usage.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -41,11 +43,12 @@ inline constexpr image_use copied_to{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_T
                                      VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, true};
 
 /// An image of the device, its views, and the record of the last use of each mip level, from which barriers
-/// follow.
+/// follow. What others record that use it, they tell by used().
 class image {
 public:
     /// @throws error  where a size is 0, or the device has no such images, or not enough memory
-    image(const device& on, const image_description& description) : description_(description) {
+    image(const device& on, const image_description& description)
+        : description_(description), format_(detail::texel_of(description.texels).format) {
         const std::uint32_t longest = std::max(description.width, description.height);
         description_.levels =
             std::clamp(description.levels, 1u, static_cast<std::uint32_t>(std::bit_width(longest | 1)));
@@ -68,47 +71,76 @@ public:
         if (description.centred)
             info.flags = VK_IMAGE_CREATE_SAMPLE_LOCATIONS_COMPATIBLE_DEPTH_BIT_EXT;
         expect_supported(on, info, what);
-        handle_ = detail::make<detail::owned_image>(on.handle(), vkCreateImage, info, what);
+        own_ = detail::make<detail::owned_image>(on.handle(), vkCreateImage, info, what);
+        image_ = own_;
         VkMemoryRequirements needs;
-        vkGetImageMemoryRequirements(on.handle(), handle_, &needs);
+        vkGetImageMemoryRequirements(on.handle(), image_, &needs);
         memory_ = detail::allocate(on, needs, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, what);
-        detail::check(vkBindImageMemory(on.handle(), handle_, memory_, 0), "bind " + what);
+        detail::check(vkBindImageMemory(on.handle(), image_, memory_, 0), "bind " + what);
         if (!(description.usage & viewable))
             return;
-        view_ = make_view(on, range(), what);
+        own_view_ = make_view(on, range(), what);
+        viewed_ = own_view_;
         for (std::uint32_t level = 0; levels() > 1 && level < levels(); ++level)
             level_views_.push_back(make_view(on, range(level), what));
+    }
+    /// Uses a host's image as it is, which must outlive this.
+    /// @param last  what the host did with it last, and so the layout that it is in; by default its content
+    /// is
+    ///              of no account
+    /// @throws error  where it has no handle, view or size
+    explicit image(const host_image& of, const image_use& last = {})
+        : description_{.name = of.name,
+                       .texels = detail::named(of.format),
+                       .width = of.width,
+                       .height = of.height,
+                       .layers = of.layers,
+                       .samples = of.samples,
+                       .arrayed = of.arrayed,
+                       .usage = of.usage},
+          format_(of.format), image_(of.handle), viewed_(of.view), last_{last} {
+        const char* const missing = !of.handle                         ? "VkImage"
+                                    : !of.view                         ? "VkImageView"
+                                    : of.width == 0 || of.height == 0  ? "size"
+                                    : of.format == VK_FORMAT_UNDEFINED ? "format"
+                                                                       : nullptr;
+        if (missing)
+            throw error("the host's image '" + of.name + "' has no " + missing);
     }
     image(const image&) = delete;
     image& operator=(const image&) = delete;
 
     /// What it was made as.
     const image_description& description() const { return description_; }
+    /// Of a host's image any that Vulkan has; its description then knows those of crease alone.
+    VkFormat vulkan_format() const { return format_; }
     /// The image itself.
-    VkImage handle() const { return handle_; }
-    /// Mip levels.
+    VkImage handle() const { return image_; }
+    /// Mip levels; of a host's image one.
     std::uint32_t levels() const { return description_.levels; }
     /// Of all levels; null where the image is only copied.
-    VkImageView view() const { return view_; }
+    VkImageView view() const { return viewed_; }
     /// Of one level.
     VkImageView view(std::uint32_t level) const {
         return level_views_.empty() ? view() : static_cast<VkImageView>(level_views_[level]);
     }
 
-    /// Depth or colour, by its format.
-    VkImageAspectFlags aspect() const {
-        return description_.texels == format::d32_float ? VK_IMAGE_ASPECT_DEPTH_BIT
-                                                        : VK_IMAGE_ASPECT_COLOR_BIT;
-    }
     /// Of all levels.
-    VkImageSubresourceRange range() const { return {aspect(), 0, levels(), 0, description_.layers}; }
+    VkImageSubresourceRange range() const {
+        return {detail::aspects_of(format_), 0, levels(), 0, description_.layers};
+    }
     /// Of one level.
     VkImageSubresourceRange range(std::uint32_t level) const {
-        return {aspect(), level, 1, 0, description_.layers};
+        return {detail::aspects_of(format_), level, 1, 0, description_.layers};
     }
 
     /// Whether any command has used it.
     bool is_used() const { return last_[0].layout != VK_IMAGE_LAYOUT_UNDEFINED; }
+
+    /// Its last use, and so the layout in which it is left.
+    const image_use& last_use() const { return last_[0]; }
+    /// Says what others recorded since, and so the layout that it is in now.
+    void used(const image_use& last) { last_.assign(levels(), last); }
 
     /// Records the barriers that the next use of all levels needs after the last one.
     void transition(VkCommandBuffer commands, const image_use& next) {
@@ -129,7 +161,7 @@ public:
         barrier.oldLayout = last.layout;
         barrier.newLayout = next.layout;
         barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-        barrier.image = handle_;
+        barrier.image = image_;
         barrier.subresourceRange = range(level);
         const VkSampleLocationsInfoEXT centres = detail::at_the_centre(description_.samples);
         if (description_.centred)
@@ -143,11 +175,14 @@ public:
 
 private:
     image_description description_;
-    detail::owned_memory memory_;
-    detail::owned_image handle_;
-    detail::owned_image_view view_;
+    VkFormat format_;
+    detail::owned_memory memory_; ///< this and what follows are null where the image is a host's
+    detail::owned_image own_;
+    detail::owned_image_view own_view_;
     std::vector<detail::owned_image_view> level_views_; ///< where there are several
-    std::vector<image_use> last_;                       ///< by level
+    VkImage image_ = VK_NULL_HANDLE;
+    VkImageView viewed_ = VK_NULL_HANDLE;
+    std::vector<image_use> last_; ///< by level
 
     static constexpr VkImageUsageFlags viewable = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
                                                   VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT |
@@ -156,9 +191,9 @@ private:
     detail::owned_image_view make_view(const device& on, const VkImageSubresourceRange& seen,
                                        const std::string& what) const {
         auto view = detail::blank<VkImageViewCreateInfo>(VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO);
-        view.image = handle_;
+        view.image = image_;
         view.viewType = description_.arrayed ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
-        view.format = detail::texel_of(description_.texels).format;
+        view.format = format_;
         view.subresourceRange = seen;
         return detail::make<detail::owned_image_view>(on.handle(), vkCreateImageView, view,
                                                       "a view of " + what);
@@ -170,7 +205,7 @@ private:
             on.physical(), info.format, info.imageType, info.tiling, info.usage, info.flags, &most);
         const std::string refusal = "the device '" + on.name() + "' cannot hold " + what;
         if (found == VK_ERROR_FORMAT_NOT_SUPPORTED)
-            throw error(refusal + ": it has no such images for" + uses(info.usage));
+            throw error(refusal + ": it has no such images for " + detail::uses_of(info.usage));
         detail::check(found, "ask for the limits of " + what);
         if (info.extent.width > most.maxExtent.width || info.extent.height > most.maxExtent.height)
             throw error(refusal + ": the largest is " + std::to_string(most.maxExtent.width) + " x " +
@@ -183,16 +218,6 @@ private:
                         std::to_string(most.maxMipLevels));
         if (!(info.samples & most.sampleCounts))
             throw error(refusal + " with " + std::to_string(info.samples) + " samples a texel");
-    }
-
-    static std::string uses(VkImageUsageFlags usage) {
-        std::string names;
-        names += usage & VK_IMAGE_USAGE_SAMPLED_BIT ? " sampling" : "";
-        names += usage & VK_IMAGE_USAGE_STORAGE_BIT ? " storing" : "";
-        names += usage & (VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT)
-                     ? " rendering"
-                     : "";
-        return names;
     }
 };
 

@@ -29,12 +29,20 @@ public:
             pipeline_ = make_compute_pipeline(on, shaders.main, descriptors_.layout(), constants);
             return;
         }
-        target_ = std::make_unique<render_target>(on, outputs, nullptr, size, earlier_content::overwritten);
+        set_outputs(on, outputs, size);
         pipeline_ = make_graphics_pipeline(on, {.vertex = shaders.vertex,
                                                 .fragment = shaders.main,
                                                 .layout = descriptors_.layout(),
                                                 .target = target_.get(),
                                                 .constants = &constants});
+    }
+
+    /// Other images that a fragment pass draws to, like those before in all but their content.
+    void set_outputs(const device& on, const std::vector<image*>& outputs, VkExtent2D size) {
+        if (!compute_ && outputs != outputs_)
+            target_ =
+                std::make_unique<render_target>(on, outputs, nullptr, size, earlier_content::overwritten);
+        outputs_ = outputs;
     }
 
     std::string name() const { return std::string(pass_.name); }
@@ -64,7 +72,8 @@ private:
     pass pass_;
     bool compute_;
     descriptors descriptors_;
-    std::unique_ptr<render_target> target_;
+    std::vector<image*> outputs_;
+    std::unique_ptr<render_target> target_; ///< null where it computes
     owned_pipeline pipeline_;
     std::uint32_t groups_[2] = {0, 0};
 

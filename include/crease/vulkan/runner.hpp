@@ -17,7 +17,8 @@ struct runner_options {
     unsigned guard =
         0; ///< width of the guard band around the picture, texels: of depth, normals and captured layers
     std::map<std::string, int> constants; ///< values other than the defaults, by "part.number"
-    std::vector<pass_shaders> shaders;    ///< one for each pass, as compile() gives them; empty: compile them
+    std::vector<pass_shaders> shaders;    ///< one for each pass, as compile() gives them, of a geometry pass
+                                       ///< also with the host's shaders or empty; none at all: compile them
 };
 
 /// How long a pass took on the device.
@@ -71,19 +72,21 @@ public:
         std::ranges::copy(bytes, to.begin());
     }
 
-    /// Reads an input from an image of the same device, which must outlive the runner or the next binding of
-    /// the name. Its format may be any that samples as the declared one does, its size at least the declared
-    /// one.
-    /// @throws error  where there is no such input, or the image does not fit it
-    void bind(std::string_view name, image& input) { resources_.bind(name, input); }
+    /// Reads an input from an image of the same device, or writes an output to it: one of crease's, or around
+    /// one of a host's. It must outlive the runner or the next binding of the name. That of an input may have
+    /// any format that samples as the declared one does and be larger; that of an output is as it is
+    /// declared. What was recorded must be done before.
+    /// @throws error  where there is no such input or output, or the image does not fit it
+    void bind(std::string_view name, image& given) { resources_.bind(name, given); }
 
     /// Says what a geometry pass draws in the runs after it, and with which shaders; a pass that runs several
-    /// times draws the same each time.
+    /// times draws the same each time. What was recorded must be done before.
     /// @param pass       name of a geometry pass of the effect
     /// @param triangles  must outlive the runs
     /// @param push_constants  as many bytes as the shaders say
-    /// @throws error         where there is no such pass, the bytes are not as many, or the device lacks a
-    ///                       limit
+    /// @throws error         where there is no such pass, the bytes are not as many, the device lacks a
+    /// limit, or
+    ///                       the pass has GLSL from here and SPIR-V among the options, or neither
     /// @throws spirv::error  where the host's shaders with the pass's functions do not compile
     void set_geometry(std::string_view pass, const geometry_shaders& host, const mesh& triangles,
                       std::span<const std::byte> push_constants = {}) {
@@ -91,7 +94,8 @@ public:
         device_.check_messages();
     }
 
-    /// Draws something else with the shaders that a geometry pass has, or with other push constants.
+    /// Draws something else from now on with the shaders that a geometry pass has, or with other push
+    /// constants.
     /// @throws error  where there is no such pass, it has no shaders yet, or the bytes are not as many
     void set_geometry(std::string_view pass, const mesh& triangles,
                       std::span<const std::byte> push_constants = {}) {
@@ -114,6 +118,17 @@ public:
         for (std::size_t i = 0; i < passes.size(); ++i)
             times.push_back({std::string(passes[i].name), milliseconds[i]});
         return times;
+    }
+
+    /// Records all passes into a command buffer of the host's, outside a render pass. It waits for nothing.
+    ///
+    /// The command buffer holds the parameters itself; buffers are executed once, in the order in which they
+    /// were recorded, on the queue of the device. Each image is left in the layout of its last_use(); its
+    /// transition() records the barrier for what the host does with it next.
+    /// @throws error  as run() does
+    void record(VkCommandBuffer commands, const parameters& values) {
+        expect_ready(values.view);
+        record(commands, values, [] {});
     }
 
     /// Runs all passes several times over.

@@ -26,12 +26,14 @@ public:
     schedule(device& on, effect_resources& resources, const constant_values& constants,
              const std::vector<pass_shaders>& shaders)
         : device_(on), resources_(resources), constants_(constants), sampler_(make_nearest_sampler(on)),
-          passes_(all().size()), geometry_(all().size()) {
+          shaders_(shaders), passes_(all().size()), geometry_(all().size()) {
         if (!shaders.empty() && shaders.size() != all().size())
             throw error("the effect has " + std::to_string(all().size()) + " passes, but shaders for " +
                         std::to_string(shaders.size()) + " were given");
         for (std::size_t i = 0; i < all().size(); ++i) {
             const pass& each = all()[i];
+            if (!shaders.empty())
+                expect_whole(each, shaders[i]);
             if (each.stage == stage_kind::geometry || !has_its_level(each))
                 continue;
             passes_[i] = std::make_unique<prepared_pass>(
@@ -53,9 +55,9 @@ public:
             const pass& of = all()[i];
             image* attachment =
                 of.to_attachment() ? resources_.bound().images[of.bindings.back().resource] : nullptr;
-            auto prepared = std::make_unique<prepared_geometry>(device_, of, resources_.effect().resources,
-                                                                attachment, resources_.size_of(of.size), host,
-                                                                constants_.of(of), resources_.ways());
+            auto prepared = std::make_unique<prepared_geometry>(
+                device_, of, resources_.effect().resources, attachment, resources_.size_of(of.size), host,
+                shaders_of(i, host), constants_.of(of), resources_.ways());
             prepared->set(triangles, push_constants);
             geometry_[i] = std::move(prepared);
         }
@@ -103,13 +105,18 @@ private:
     effect_resources& resources_;
     constant_values constants_;
     owned_sampler sampler_;
+    std::vector<pass_shaders> shaders_;                  ///< that were given
     std::vector<std::unique_ptr<prepared_pass>> passes_; ///< null for a geometry pass and one left out
     std::vector<std::unique_ptr<prepared_geometry>> geometry_;
     bool descriptors_are_old_ = true;
 
     std::span<const pass> all() const { return resources_.effect().passes; }
 
+    /// Points the passes to what is bound now.
     void write_descriptors() {
+        for (std::size_t i = 0; i < all().size(); ++i)
+            if (passes_[i])
+                passes_[i]->set_outputs(device_, outputs_of(all()[i]), resources_.size_of(all()[i].size));
         for (std::size_t i = 0; i < all().size(); ++i)
             for (std::size_t way = 0; way < resources_.ways(); ++way)
                 if (passes_[i])
@@ -117,6 +124,30 @@ private:
                 else if (geometry_[i])
                     geometry_[i]->write_descriptors(resources_.bound(way), sampler_, way);
         descriptors_are_old_ = false;
+    }
+
+    static void expect_whole(const pass& of, const pass_shaders& given) {
+        const bool is_geometry = of.stage == stage_kind::geometry;
+        const bool has_vertex = !given.vertex.empty(), has_main = !given.main.empty();
+        const bool whole = is_geometry ? has_main == has_vertex
+                                       : has_main && has_vertex == (of.stage == stage_kind::fragment);
+        if (!whole)
+            throw error("the shaders given for pass '" + std::string(of.name) +
+                        "' are not those that compile() makes of it: one is missing or too many");
+    }
+
+    pass_shaders shaders_of(std::size_t i, const geometry_shaders& host) const {
+        const bool were_given = !shaders_.empty() && !shaders_[i].main.empty();
+        const bool is_glsl = !host.vertex.empty() && !host.fragment.empty();
+        const std::string name = "the geometry pass '" + std::string(all()[i].name) + "' ";
+        if (were_given && (!host.vertex.empty() || !host.fragment.empty()))
+            throw error(name +
+                        "has SPIR-V among the options of the runner: give set_geometry no GLSL for it");
+        if (!were_given && !is_glsl)
+            throw error(name +
+                        "has no SPIR-V among the options of the runner: give set_geometry both a vertex "
+                        "and a fragment shader");
+        return were_given ? shaders_[i] : compile(all()[i], host);
     }
 
     std::vector<std::size_t> geometry_named(std::string_view name) const {

@@ -33,19 +33,29 @@ inline VkPhysicalDeviceSubgroupProperties subgroups_of(VkPhysicalDevice physical
     return subgroups;
 }
 
-/// @return nothing where the device is older than Vulkan 1.1 or has no such queue
-inline std::optional<selected_device> usable(VkPhysicalDevice physical) {
-    selected_device device{physical, properties_of(physical)};
+inline std::vector<VkQueueFamilyProperties> queue_families_of(VkPhysicalDevice physical) {
     std::uint32_t count = 0;
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
-    constexpr VkQueueFlags wanted = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
-    for (device.queue_family = 0; device.queue_family < count; ++device.queue_family) {
-        const VkQueueFamilyProperties& family = families[device.queue_family];
+    return families;
+}
+
+constexpr bool draws_and_computes(const VkQueueFamilyProperties& family) {
+    constexpr VkQueueFlags both = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+    return (family.queueFlags & both) == both;
+}
+
+/// @return nothing where the device is older than Vulkan 1.1 or has no queue for graphics and compute
+inline std::optional<selected_device> usable(VkPhysicalDevice physical) {
+    selected_device device{physical, properties_of(physical)};
+    if (device.properties.apiVersion < VK_API_VERSION_1_1)
+        return std::nullopt;
+    for (const VkQueueFamilyProperties& family : queue_families_of(physical)) {
         device.timestamp_bits = family.timestampValidBits;
-        if ((family.queueFlags & wanted) == wanted && device.properties.apiVersion >= VK_API_VERSION_1_1)
+        if (draws_and_computes(family))
             return device;
+        ++device.queue_family;
     }
     return std::nullopt;
 }

@@ -5,6 +5,8 @@
 
 #include <vulkan/vulkan.h>
 
+#include <string>
+
 namespace crease::vulkan::detail {
 
 /// What a pass that binds an image so needs it to be made for.
@@ -29,6 +31,23 @@ constexpr VkImageUsageFlags usage_by_passes(const effect_view& effect, std::size
             if (b.resource == resource || are_history(effect.resources[b.resource], of))
                 usage |= usage_of(b.how, each.stage);
     return usage;
+}
+
+/// What passes use an image for, in words.
+inline std::string uses_of(VkImageUsageFlags usage) {
+    constexpr VkImageUsageFlags drawn =
+        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+    std::string words;
+    const auto add = [&](VkImageUsageFlags bits, const char* word) {
+        if (usage & bits)
+            words.append(words.empty() ? "" : ", ").append(word);
+    };
+    add(VK_IMAGE_USAGE_SAMPLED_BIT, "sampling");
+    add(VK_IMAGE_USAGE_STORAGE_BIT, "storing");
+    add(drawn, "rendering");
+    add(VK_IMAGE_USAGE_TRANSFER_SRC_BIT, "copying from");
+    add(VK_IMAGE_USAGE_TRANSFER_DST_BIT, "copying to");
+    return words;
 }
 
 }

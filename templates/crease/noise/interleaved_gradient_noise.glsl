@@ -9,12 +9,13 @@ float crease_interleaved_gradient_noise_at(vec2 place) {
     return fract(52.9829189 * fract(dot(place, vec2(0.06711056, 0.00583715))));
 }
 
-// The second and third number are of the transposed picture, far off, or their gradients would run along with the first's.
+// The second number is of the transposed picture and the third of one that is turned by a right angle, as their gradients
+// would run along with the first's.
 vec3 crease_noise(ivec2 pixel) {
     vec2 place = vec2(pixel) + 5.588238 * float(crease_frame % 64u);
     return vec3(crease_interleaved_gradient_noise_at(place),
                 crease_interleaved_gradient_noise_at(place.yx + vec2(17.0, 47.0)),
-                crease_interleaved_gradient_noise_at(place.yx + vec2(38.0, 69.0)));
+                crease_interleaved_gradient_noise_at(vec2(-place.y, place.x) + vec2(38.0, 69.0)));
 }
 #ifdef __cplusplus
 ")glsl"

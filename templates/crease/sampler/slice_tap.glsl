@@ -9,7 +9,7 @@ struct crease_tap {
     bool inside;     // whether the texel is in the depth image; else it has no weight
     float weight;    // of the tap among those of the receiver, in a mean over the distances or the area around it
     float distance;  // from the receiver along the direction, radii
-    float spacing;   // of the taps around it, radii
+    float gap;       // between the taps around it, as a share of its distance
 };
 #ifdef __cplusplus
 ")glsl"

@@ -3,16 +3,28 @@
 __LINE__, R"glsl("
 #endif
 
-// The tap that is `along` of `steps` steps on the way to the radius, at distances that grow by a power of the steps, and a
-// texel further, so that none falls on the receiver itself. What is beside the depth image is looked for at its edge.
-crease_tap crease_stepped_tap(crease_receiver receiver, vec2 radius, float along, int steps, int power) {
-    float scale = 1.0 / float(steps), density = 1.0;
+// A march whose steps grow by a power of their index. It begins a texel away, so that no tap falls on the receiver itself;
+// what would be beside the depth image is looked for at its edge.
+struct crease_stepped_march {
+    vec2 first;   // texels: where it begins; rounded down it is the texel
+    vec2 radius;  // texels: the way to the radius
+    float offset; // of step 0, in steps
+};
+
+crease_stepped_march crease_stepped_march_begin(crease_receiver receiver, vec2 direction, float offset) {
+    vec2 radius = receiver.disk * direction;
+    vec2 texel = radius * inversesqrt(max(dot(radius, radius), 1e-20));
+    return crease_stepped_march(receiver.texel + 0.5 + texel, radius, max(offset, 1e-4));
+}
+
+crease_tap crease_stepped_tap(crease_stepped_march march, int step, int steps, int power) {
+    float scale = 1.0 / float(steps);
+    float along = float(step) * scale + march.offset * scale, density = 1.0;
     for (int i = 1; i < power; ++i)
-        density *= along * scale;
-    float distance = density * along * scale;
-    vec2 texel = receiver.texel + 0.5 + radius * (distance + inversesqrt(max(dot(radius, radius), 1e-20)));
-    return crease_tap(clamp(floor(texel), vec2(0.0), crease_depth_size() - 1.0), true, density, distance,
-                      float(power) * scale * density);
+        density *= along;
+    float distance = density * along;
+    vec2 texel = clamp(floor(march.first + march.radius * distance), vec2(0.0), crease_depth_size() - 1.0);
+    return crease_tap(texel, true, density, distance, float(power) * scale / along);
 }
 #ifdef __cplusplus
 ")glsl"

@@ -15,7 +15,7 @@ float crease_depth_rounding(float depth) {
 }
 
 vec3 crease_view_position(vec2 texel, float depth) {
-    return vec3(texel * crease_view.from_texel.xy + crease_view.from_texel.zw, -1.0) * depth;
+    return vec3((texel * crease_view.from_texel.xy + crease_view.from_texel.zw) * depth, -depth);
 }
 
 vec2 crease_texel_at(vec3 position) {

@@ -111,7 +111,7 @@ TEST_CASE("each pass reads what the one before it writes, in the encoding betwee
     CHECK(p.passes[0].input == -1);
     for (std::size_t i = 1; i < p.passes.size(); ++i) {
         CHECK(p.passes[i].input == static_cast<int>(p.passes[i - 1].outputs[0]));
-        CHECK(p.resources[p.passes[i - 1].outputs[0]].texels == format::r32_uint);
+        CHECK(p.resources[p.passes[i - 1].outputs[0]].texels == format::rg32_uint);
         CHECK(p.passes[i].last == (i + 1 == p.passes.size()));
     }
     CHECK(p.resources[p.passes[p.passes.size() - 1].outputs[0]].texels == format::r8_unorm);
@@ -276,12 +276,19 @@ TEST_CASE("a step is there from a number of its part on") {
 }
 
 TEST_CASE("settings of one name are one where both parts share it, and two where not") {
-    const plan p = planned("directions/stochastic_layers/hbao/bilateral/upsample");
+    constexpr setting sharpness[] = {{"sharpness", 1, 0, 2, "of its own"}};
+    const part noise{.kind = role::noise, .name = "own", .summary = "", .source = "", .settings = sharpness};
+    const choice chosen[] = {choice_of<directions<>>(),
+                             choice_of<stochastic_layers<>>(),
+                             choice_of<hbao>(),
+                             {&noise, {}},
+                             choice_of<bilateral<>>()};
+    const plan p = make_plan(chosen);
     std::vector<std::string> names;
     for (const effect_setting& s : p.settings)
         names.push_back(std::string(s.part) + "." + std::string(s.name));
     CHECK(std::ranges::count(names, "bilateral.sharpness") == 1);
-    CHECK(std::ranges::count(names, "upsample.sharpness") == 1);
+    CHECK(std::ranges::count(names, "own.sharpness") == 1);
     const plan twice = planned("directions/single_layer/hbao/bilateral:2/bilateral:4");
     CHECK(std::ranges::count(twice.settings, std::string_view("sharpness"), &effect_setting::name) == 1);
     CHECK(std::ranges::count(p.settings, std::string_view("strength"), &effect_setting::name) == 1);

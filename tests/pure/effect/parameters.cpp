@@ -124,20 +124,34 @@ TEST_CASE("the block of several cameras: their views, then the matrices of those
     }
 }
 
+namespace {
+
+struct sharp_noise { // with a setting of the name that bilateral's has
+    static constexpr setting reads[] = {{"sharpness", 1, 0, 10, ""}};
+    static constexpr part description{.kind = role::noise,
+                                      .name = "sharp_noise",
+                                      .summary = "",
+                                      .source = "",
+                                      .files = hashed_noise::files,
+                                      .settings = reads};
+};
+
+}
+
 TEST_CASE("an effect sets its settings by name and writes its block") {
-    using ao = effect<directions<>, single_layer, hbao, bilateral<>, upsample<>>;
+    using ao = effect<directions<>, single_layer, hbao, sharp_noise, bilateral<>>;
     parameters p = ao::defaults;
     CHECK(ao::set<"strength">(p, 2));
     CHECK(ao::set<"hbao.bias">(p, 0.125f));
-    CHECK(ao::set<"upsample.sharpness">(p, 5));
+    CHECK(ao::set<"sharp_noise.sharpness">(p, 5));
     CHECK_FALSE(ao::set<"strength">(p, -1));
     CHECK(get(p, ao::settings, "strength") == 2);
     CHECK(get(p, ao::settings, "bias") == 0.125f);
     CHECK(get(p, ao::settings, "bilateral.sharpness") == bilateral_part::reads[0].fallback);
-    CHECK(get(p, ao::settings, "upsample.sharpness") == 5);
+    CHECK(get(p, ao::settings, "sharp_noise.sharpness") == 5);
     CHECK(ao::set<"sharpness">(p, 6)); // both
     CHECK(get(p, ao::settings, "bilateral.sharpness") == 6);
-    CHECK(get(p, ao::settings, "upsample.sharpness") == 6);
+    CHECK(get(p, ao::settings, "sharp_noise.sharpness") == 6);
 
     const auto block = ao::block(p);
     CHECK(block.size() == ao::view().block_size());

@@ -6,7 +6,7 @@ const int crease_bilateral_axis = 0;
 const int crease_divisor = 1;
 const int crease_view_index = 0;
 layout(set = 0, binding = 1) uniform usampler2D crease_input;
-layout(r32ui, set = 0, binding = 2) uniform writeonly uimage2D crease_output;
+layout(rg32ui, set = 0, binding = 2) uniform writeonly uimage2D crease_output;
 
 struct crease_view_parameters {
     vec4 from_texel;
@@ -24,7 +24,7 @@ layout(std140, set = 0, binding = 0) uniform crease_parameters {
     float hbao_plus_bias;
     float strength;
     float exponent;
-    float upsample_sharpness;
+    float plane_reach;
     float bilateral_sharpness;
 } crease_given;
 
@@ -39,6 +39,7 @@ uvec4 crease_load_input(ivec2 texel) { return texelFetch(crease_input, texel, 0)
 struct crease_result {
     float visibility; // 1 open, 0 closed
     float depth;      // positive, linear; crease_background where there is none
+    vec3 normal;      // view space, unit; filters that weigh by it have it handed on
 };
 
 // Shaders index texels of the whole depth image, guard band included, with texel centres at whole numbers.
@@ -54,8 +55,13 @@ crease_view_parameters crease_view = crease_view_of(crease_view_index); // of th
 // Size in texels of an image at 1 / divisor of the resolution, rounded up.
 ivec2 crease_size(int divisor) { return (ivec2(crease_view.resolution) + divisor - 1) / divisor; }
 
+vec3 crease_unpack_normal(uint word) {
+    return vec3(word & 2047u, word >> 11u & 2047u, word >> 22u) * vec3(2.0 / 2047.0, 2.0 / 2047.0, 2.0 / 1023.0) - 1.0;
+}
+
 crease_result crease_decode(uvec4 texel) {
-    return crease_result(float(texel.x & 255u) * (1.0 / 255.0), uintBitsToFloat(texel.x & ~255u));
+    return crease_result(float(texel.x & 255u) * (1.0 / 255.0), uintBitsToFloat(texel.x & ~255u),
+                         crease_unpack_normal(texel.y));
 }
 
 // One direction of a separable cross-bilateral blur with a depth-slope correction: stochastic-depth-ao 8.1.
@@ -66,11 +72,11 @@ float crease_bilateral_slope(float own, float other, float tightness) {
 }
 
 crease_result crease_sum(crease_result a, crease_result b) {
-    return crease_result(a.visibility + b.visibility, a.depth);
+    return crease_result(a.visibility + b.visibility, a.depth, a.normal);
 }
 
 crease_result crease_weighted(crease_result result, float weight) {
-    return crease_result(result.visibility * weight, result.depth);
+    return crease_result(result.visibility * weight, result.depth, result.normal);
 }
 
 // The depth of background: beyond any radius, and finite, so that its square is finite too.
@@ -78,7 +84,7 @@ const float crease_background = 1e15;
 
 // The mean out of a sum of weighted results and the sum of their weights.
 crease_result crease_mean(crease_result sum, float weights, float depth) {
-    return crease_result(sum.visibility / weights, depth);
+    return crease_result(sum.visibility / weights, depth, sum.normal);
 }
 
 crease_result crease_evaluate(ivec2 pixel) {
@@ -119,9 +125,16 @@ crease_result crease_evaluate(ivec2 pixel) {
     return crease_mean(sum, weights, own.depth);
 }
 
-// Visibility in the low 8 bits, depth in the others, which is exact to 2^-15 of itself.
+// A unit normal in one word, 11, 11 and 10 bits: at most 0.1 degrees away.
+uint crease_pack_normal(vec3 normal) {
+    uvec3 shares = uvec3(clamp(normal * 0.5 + 0.5, 0.0, 1.0) * vec3(2047.0, 2047.0, 1023.0) + 0.5);
+    return shares.x | shares.y << 11u | shares.z << 22u;
+}
+
+// Visibility in the low 8 bits, depth in the others, which is exact to 2^-15 of itself; the normal in a word of its own.
 uvec4 crease_encode_between(crease_result result) {
-    return uvec4((floatBitsToUint(result.depth) & ~255u) | uint(result.visibility * 255.0 + 0.5));
+    uint word = (floatBitsToUint(result.depth) & ~255u) | uint(result.visibility * 255.0 + 0.5);
+    return uvec4(word, crease_pack_normal(result.normal), 0u, 0u);
 }
 
 ivec2 crease_pixel() { return ivec2(gl_GlobalInvocationID.xy); }

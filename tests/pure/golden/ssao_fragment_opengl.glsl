@@ -37,6 +37,7 @@ float crease_exponent = crease_given.exponent;
 struct crease_result {
     float visibility; // 1 open, 0 closed
     float depth;      // positive, linear; crease_background where there is none
+    vec3 normal;      // view space, unit; filters that weigh by it have it handed on
 };
 
 // The point whose visibility is asked for.
@@ -170,7 +171,8 @@ float crease_visibility_of(float occlusion) {
 float crease_estimate_occlusion(crease_estimate estimate) { return estimate.occluded / max(estimate.points, 1.0); }
 
 crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver) {
-    return crease_result(crease_visibility_of(crease_estimate_occlusion(gathered.estimate)), -receiver.position.z);
+    return crease_result(crease_visibility_of(crease_estimate_occlusion(gathered.estimate)), -receiver.position.z,
+                         receiver.normal);
 }
 
 // Points in the hemisphere over the receiver, turned about the normal by a random angle per pixel:
@@ -428,7 +430,7 @@ crease_result crease_result_of(crease_receiver receiver) {
     return crease_conclude(crease_gather(receiver), receiver);
 }
 
-crease_result crease_open_result() { return crease_result(1.0, crease_background); }
+crease_result crease_open_result() { return crease_result(1.0, crease_background, vec3(0.0, 0.0, 1.0)); }
 
 crease_result crease_evaluate(ivec2 pixel) {
     crease_receiver receiver;

@@ -7,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <cmath>
+
 using namespace crease::tools;
 
 namespace {
@@ -78,6 +80,60 @@ TEST_CASE("camera: a broken list is refused with the camera, the field and the r
     expect(a + "\"ao_radius\" must not be negative", camera_json("0.25", "-1"));
     const std::string one = camera_json();
     expect("camera 1: \"name\" 'a' is taken", one.substr(0, one.size() - 1) + "," + one.substr(1));
+}
+
+TEST_CASE("camera: a field that is unknown or stands twice is refused by name") {
+    const auto expect = [](const std::string& part, const std::string& text) {
+        expect_error<scene_error>("memory: " + part, [&] { parse_cameras(text, "memory"); });
+    };
+    expect(
+        "camera 0 ('a'): \"fov\" is unknown; a camera has name, eye, target, up, vfov_deg, near, far, width, "
+        "height, ao_radius",
+        camera_json("\"near\"", "\"fov\": 3, \"near\""));
+    expect("\"near\" stands twice in one camera", camera_json("\"far\"", "\"near\": 3, \"far\""));
+    const std::string one = camera_json();
+    CHECK(
+        parse_cameras(one.substr(0, one.size() - 1) + "," + camera_json("\"a\"", "\"b\"").substr(1), "memory")
+            .size() == 2);
+}
+
+TEST_CASE("camera: one that is fitted sees every corner of the scene, at any size and place") {
+    for (const double size : {1e-6, 1.0, 1e30}) {
+        CAPTURE(size);
+        mesh scene;
+        for (const glm::dvec3& p : {glm::dvec3(0), {1, 0, 0}, {0, 0.5, 0}, {0, 0, -0.1}})
+            scene.positions.push_back(p * size);
+        scene.positions.emplace_back(-1e30); // used by no triangle
+        scene.indices = {0, 1, 2, 0, 2, 3};
+        const camera from = fitted_camera(scene);
+        const view_window window = window_of(from, 16.0 / 9);
+        for (int i = 0; i < 4; ++i) {
+            const glm::dvec3 seen =
+                view_rotation(from) * (scene.positions[static_cast<std::size_t>(i)] - from.eye);
+            CHECK(-seen.z > from.near);
+            CHECK(-seen.z < from.far);
+            const glm::dvec2 place = window.place_of(glm::dvec2(seen) / -seen.z);
+            CHECK(std::abs(place.x) < 1);
+            CHECK(std::abs(place.y) < 1);
+        }
+        CHECK(from.ao_radius / size > 0.05);
+        CHECK(from.ao_radius / size < 0.06); // half the diagonal of the box, 1.12, is ten radii
+    }
+}
+
+TEST_CASE("camera: the window of a picture") {
+    camera from = parse_cameras(camera_json("40", "90"), "memory")[0];
+    view_window window = window_of(from, 2);
+    CHECK(glm::length(window.half - glm::dvec2(2, 1)) < 1e-7);
+    CHECK(window.middle == glm::dvec2(0));
+    from.shift = {0.5, -0.25}; // by half a width to the right, a quarter of a height down
+    window = window_of(from, 2);
+    CHECK(glm::length(window.middle - glm::dvec2(2, -0.5)) < 1e-7);
+    CHECK(glm::length(window.place_of({4, -0.5}) - glm::dvec2(1, 0)) < 1e-7);
+    from.orthographic = true; // the target is 10 away
+    window = window_of(from, 2);
+    CHECK(glm::length(window.half - glm::dvec2(20, 10)) < 1e-6);
+    CHECK(glm::length(window.middle - glm::dvec2(20, -5)) < 1e-6);
 }
 
 TEST_CASE("camera: a missing file is named") {

@@ -276,6 +276,13 @@ TEST_CASE("glTF: small files that ask for much are refused before anything is ex
         check_refused(file,
                       "has 4294967296 vertices where all its meshes stand, and at most 16777216 are read");
     }
+    SUBCASE("instances of nothing") {
+        file.json["meshes"][0]["primitives"].clear();
+        file.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = 2;
+        file.json["accessors"].push_back(
+            {{"componentType", gltf_float}, {"type", "VEC3"}, {"count", 1u << 30}});
+        check_refused(file, "has 1073741824 steps of instances, morph targets and joints");
+    }
     SUBCASE("nodes") {
         file.primitive()["indices"] =
             file.add<std::uint8_t>(gltf_uint8, "SCALAR", std::vector<std::uint8_t>(3'000'000));
@@ -294,6 +301,6 @@ TEST_CASE("glTF: small files that ask for much are refused before anything is ex
         }
         file.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] =
             file.add<float>(gltf_float, "VEC3", std::vector<float>(3'000));
-        check_refused(file, "has 80004000 steps of morph targets and joints");
+        check_refused(file, "has 80005000 steps of instances, morph targets and joints");
     }
 }

@@ -10,7 +10,7 @@ using namespace crease::tools;
 namespace {
 
 /// All numbers of accessor `i`.
-std::vector<double> numbers(const gltf_file& file, int i) {
+std::vector<double> numbers(const gltf_file& file, std::size_t i) {
     const gltf_value root(file.json);
     gltf_buffers buffers(root, file.data, nullptr);
     gltf_accessors all(root, buffers);
@@ -39,7 +39,7 @@ TEST_CASE("glTF accessors: each component type, as it is and normalised") {
     file.add<float>(gltf_float, "SCALAR", {-0.25f, 1e30f});
     const std::vector<double> as_it_is[] = {
         {-128, 127}, {0, 255}, {-32768, 32767}, {0, 65535}, {0, 4294967295}};
-    for (int i = 0; i < 5; ++i) {
+    for (std::size_t i = 0; i < 5; ++i) {
         CAPTURE(i);
         CHECK(numbers(file, 2 + i) == as_it_is[i]);
         file.json["accessors"][2 + i]["normalized"] = true;
@@ -60,10 +60,10 @@ TEST_CASE("glTF accessors: offsets and strides") {
     check_refused(file, "accessors[2] ends at byte 10 of a buffer view of 9");
     file.json["accessors"][2].update({{"byteOffset", 0}, {"count", std::uint64_t{1} << 53}});
     check_refused(file, "accessors[2] ends at byte");
-    file.json["accessors"][2]["count"] = std::uint64_t{1} << 54;
-    check_refused(file, "accessors[2].count must be a whole number");
     file.json["bufferViews"][2]["byteStride"] = 300;
     check_refused(file, "bufferViews[2].byteStride is 300");
+    file.json["accessors"][2]["count"] = std::uint64_t{1} << 54;
+    check_refused(file, "accessors[2].count must be a whole number");
 }
 
 TEST_CASE("glTF accessors: sparse ones replace rows, of data or of zeros") {

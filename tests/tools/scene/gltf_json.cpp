@@ -18,7 +18,7 @@ TEST_CASE("glTF JSON: limits and broken text") {
     for (int i = 0; i < 3'000'000; ++i)
         many += "0,";
     expect_error<scene_error>("its JSON has more than 3000000 values", [&] { parse_gltf_json(many + "0]"); });
-    expect_error<scene_error>("its JSON cannot be read at byte 9", [] { parse_gltf_json(R"({"a": 1, x})"); });
+    expect_error<scene_error>("its JSON cannot be read at byte 10", [] { parse_gltf_json(R"({"a": 1, x})"); });
     expect_error<scene_error>("its JSON cannot be read", [] { parse_gltf_json(""); });
     expect_error<scene_error>("its JSON cannot be read", [] { parse_gltf_json("{\"\xff\": 1}"); });
     expect_error<scene_error>("its JSON has a number that is out of range", [] { parse_gltf_json("1e999"); });
@@ -26,7 +26,7 @@ TEST_CASE("glTF JSON: limits and broken text") {
 
 TEST_CASE("glTF JSON: complaints name the place") {
     const nlohmann::json json = nlohmann::json::parse(R"({"a": [{"b": 1.5, "c": "x", "d": true}]})");
-    const gltf_value root(json), item = root["a"][0];
+    const gltf_value root(json), item = root["a"].at(0);
     CHECK(item["b"].number() == 1.5);
     CHECK(item["c"].text() == "x");
     CHECK(item["d"].flag());
@@ -37,7 +37,7 @@ TEST_CASE("glTF JSON: complaints name the place") {
     expect_error<scene_error>("a[0].c must be an object", [&] { item["c"].has("x"); });
     expect_error<scene_error>("a[0].d must be a text", [&] { item["d"].text(); });
     expect_error<scene_error>("a[0].b must be true or false", [&] { item["b"].flag(); });
-    expect_error<scene_error>("a has 1 elements, and element 1 is asked for", [&] { root["a"][1]; });
+    expect_error<scene_error>("a has 1 elements, and element 1 is asked for", [&] { root["a"].at(1); });
     const nlohmann::json list = nlohmann::json::array();
     expect_error<scene_error>("its JSON must be an object", [&] { gltf_value(list).has("a"); });
 }

@@ -12,12 +12,9 @@ using namespace crease::tools;
 
 namespace {
 
-gltf_nodes read(const nlohmann::json& json) {
-    return read_gltf_nodes(gltf_value(json));
-}
-
 gltf_nodes read(const std::string& json) {
-    return read(nlohmann::json::parse(json));
+    const nlohmann::json parsed = nlohmann::json::parse(json);
+    return read_gltf_nodes(gltf_value(parsed));
 }
 
 }
@@ -51,7 +48,7 @@ TEST_CASE("glTF nodes: a chain as deep as the file likes") {
     for (std::size_t i = 0; i < depth; ++i)
         json["nodes"].push_back({{"children", {i + 1}}, {"translation", {1, 0, 0}}});
     json["nodes"].push_back(nlohmann::json::object());
-    const gltf_nodes nodes = read(json);
+    const gltf_nodes nodes = read_gltf_nodes(gltf_value(json));
     CHECK(nodes.shown.size() == depth + 1);
     CHECK(nodes.to_world.back()[3].x == depth);
 }

@@ -85,7 +85,7 @@ TEST_CASE("mesh: what is no scene file") {
     expect_error<scene_error>("a.fbx: cannot read '.fbx' scenes; use .glb, .gltf or .obj",
                               [] { load_mesh("a.fbx"); });
     expect_error<scene_error>("cannot read '.' scenes", [] { load_mesh("a"); });
-    expect_error<scene_error>("a.glb: is broken: its JSON cannot be read at byte 1",
+    expect_error<scene_error>("a.glb: is broken: its JSON cannot be read at byte 2",
                               [&] { load_mesh(folder.put("a.glb", "not glTF")); });
     const std::filesystem::path large = folder.put("large.obj", "");
     std::filesystem::resize_file(large, (std::uintmax_t{1} << 30) + 1); // takes no room on the disk

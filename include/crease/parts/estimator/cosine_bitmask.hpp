@@ -39,6 +39,7 @@ struct cosine_bitmask_part {
         .numbers = takes,
         .settings = reads,
         .needs = needs::list,
+        .offers = traits<layers_behind, open_directions>::list,
     };
 };
 

@@ -17,7 +17,7 @@ struct directions_part {
         {"steps", 1, 64, 4, "taps along each direction"},
         {"power", 1, 4, 2, "power of a step's index by which its distance grows; 1: even steps"},
     };
-    static constexpr const glsl_file* files[] = {&screen_tap_glsl, &share_inside_glsl, &directions_glsl};
+    static constexpr const glsl_file* files[] = {&slice_tap_glsl, &share_inside_glsl, &directions_glsl};
     static constexpr part description{
         .kind = role::sampler,
         .name = "directions",
@@ -25,7 +25,7 @@ struct directions_part {
         .source = "stochastic-depth-ao 2020, 4.2, Algorithms 2 and 3",
         .files = files,
         .numbers = takes,
-        .offers = traits<screen_taps, ordered_taps, known_directions>::list,
+        .offers = traits<screen_taps, ordered_taps, slice_taps, known_directions>::list,
     };
 };
 

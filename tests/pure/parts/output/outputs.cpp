@@ -36,6 +36,6 @@ TEST_CASE("what one pass hands on is an image of its own, as large as what the p
     const auto r = std::ranges::find(filtered::resources, "between_0", &resource::name);
     REQUIRE(r != filtered::resources.end());
     CHECK(r->life == lifetime::transient);
-    CHECK(r->texels == format::r32_uint);
+    CHECK(r->texels == format::rg32_uint);
     CHECK(r->size.divisor == 2);
 }

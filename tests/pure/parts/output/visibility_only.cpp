@@ -24,5 +24,6 @@ TEST_CASE("visibility_only is the default: one image, and between passes a depth
     CHECK(contains(by_default::source<0>(), "result.visibility * 255.0 + 0.5")); // the low byte of the depth
     CHECK(contains(by_default::source<2>(),
                    "imageStore(crease_output, pixel, crease_encode_visibility(result));"));
-    CHECK(contains(by_default::source<0>(), "crease_result(1.0, crease_background)")); // background is open
+    CHECK(contains(by_default::source<0>(),
+                   "crease_result(1.0, crease_background, vec3(0.0, 0.0, 1.0))")); // background is open
 }

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#include <crease/crease.hpp>
+
+#include "text.hpp"
+
+#include <doctest/doctest.h>
+
+static_assert(crease::recipe("directions/single_layer/hbao/interleaved_gradient_noise"));
+
+TEST_CASE("interleaved_gradient_noise takes the place of the default") {
+    using effect = crease::effect<crease::directions<>, crease::single_layer, crease::hbao,
+                                  crease::interleaved_gradient_noise>;
+    CHECK(has_part_of(effect::passes[0], "noise/interleaved_gradient_noise.glsl"));
+    CHECK_FALSE(has_part_of(effect::passes[0], "noise/hashed_noise.glsl"));
+}
