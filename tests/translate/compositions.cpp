@@ -40,7 +40,7 @@ bool is_beyond(const std::string& glsl, const pass& p, const target& to) {
         changes_wide_image(glsl))
         return true;
     return to.version < 310 && (p.stage == stage_kind::compute || p.stage == stage_kind::functions ||
-                                has_any(glsl, {"image2D", " buffer ", "sampler2DMS", "gl_SampleMask",
+                                has_any(glsl, {"image2D", "buffer crease_", "sampler2DMS", "gl_SampleMask",
                                                "bitCount(", "findMSB(", "findLSB("}));
 }
 

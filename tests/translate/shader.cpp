@@ -39,11 +39,11 @@ std::string at_offset(std::size_t bytes) {
 }
 
 TEST_CASE("the text says what it was made of, and what it is told beside it") {
-    const auto composed = std::make_unique<composition>(recipe("directions:8x4/single_layer/hbao"));
+    const auto composed = std::make_unique<composition>(recipe("directions:8x4/single_layer/hbao/r32f"));
     const effect_view effect = composed->view();
     for (const target& to : targets) {
         const translate::translation made = checked(translate::shader(effect, effect.passes[0], to));
-        CHECK(contains(made.text, "// directions:8x4x2/single_layer/hbao, pass visibility, as " +
+        CHECK(contains(made.text, "// directions:8x4x2/single_layer/hbao/r32f, pass visibility, as " +
                                       name_of(to) + "; crease " + std::string(version) +
                                       ", SPDX-License-Identifier: MIT-0\n"));
         CHECK(made.group_width == 16);

@@ -128,7 +128,8 @@ inline void write_text(shader_source& of) {
             compiler->set_name(resources[i]->id, of.wanted[i].identifier);
     }
     made.text = compiler->compile();
-    made.entry_point = compiler->get_cleansed_entry_point_name(made.entry_point, of.model());
+    if (made.made_for.to == language::msl) // which forbids some names
+        made.entry_point = compiler->get_cleansed_entry_point_name(made.entry_point, of.model());
     for (std::size_t i = 0; i < resources.size(); ++i)
         if (resources[i])
             made.bindings[i].identifier = has_block_name(made.bindings[i].kind)
