@@ -34,14 +34,14 @@ scene() {
 
 recipes=$(for samples in 1 2 4 8 16 32; do
     for opacity in 0.2 0.05 0.01; do
-        echo "directions:8x8/stochastic_layers:$samples/hbao/bilateral@opacity=$opacity"
+        echo "--recipes directions:8x8/stochastic_layers:$samples/hbao/bilateral@opacity=$opacity"
     done
 done)
 echo '| walls | opacity | 1 sample | 2 | 4 | 8 | 16 | 32 |'
 echo '| --- | --- | --- | --- | --- | --- | --- | --- |'
 for layers in 1 2 4 8 16 32; do
     scene "$layers"
-    # shellcheck disable=SC2086 # one word for each recipe
+    # shellcheck disable=SC2086 # an option for each recipe
     "$crease" bench "$scratch/stack_$layers.obj" --hidden --width 640 --height 360 --rays 256 --repeats 1 \
         --truths "$scratch/truths" --recipes directions:8x8/single_layer/hbao/bilateral $recipes |
         awk -v walls="$layers" '

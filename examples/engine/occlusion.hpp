@@ -9,13 +9,13 @@
 #include <span>
 #include <stdexcept>
 
-/// What the engine adds to its renderer to run an effect of crease: compute passes over texels and geometry
-/// passes without attachments, without buffers and history.
+/// What the engine adds to its renderer to run an effect of crease: compute passes and geometry passes
+/// without attachments, without buffers and history.
 class occlusion {
 public:
     /// @param depth  the engine's own, as large as the picture
     occlusion(renderer& on, const crease::effect_view& effect, const crease::parameters& values, image& depth)
-        : gpu_(on), effect_(effect),
+        : gpu_(on), effect_(effect), picture_(depth.size),
           parameters_(on.make_buffer(effect.block_size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT)) {
         crease::write_block(values, effect.views, effect.settings.size(),
                             static_cast<std::byte*>(parameters_.bytes));
@@ -68,9 +68,12 @@ public:
             vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, passes_[i].pipeline);
             vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, passes_[i].bindings.layout, 0,
                                     1, &passes_[i].bindings.set, 0, nullptr);
-            const VkExtent3D size = images_[pass.bindings.back().resource]->size;
-            vkCmdDispatch(commands, (size.width + pass.group_width() - 1) / pass.group_width(),
-                          (size.height + pass.group_height() - 1) / pass.group_height(), 1);
+            vkCmdDispatch(
+                commands,
+                groups(pass, pass.size.width_of(picture_.width), pass.group_width(), crease::dispatch::rows),
+                groups(pass, pass.size.height_of(picture_.height), pass.group_height(),
+                       crease::dispatch::columns),
+                1);
         }
     }
 
@@ -82,6 +85,12 @@ private:
         bound bindings;
         VkPipeline pipeline;
     };
+
+    /// Workgroups along an axis: one where each of the pass's reaches all along it.
+    static std::uint32_t groups(const crease::pass& pass, unsigned texels, unsigned group,
+                                crease::dispatch along) {
+        return pass.covers == along ? 1 : (texels + group - 1) / group;
+    }
 
     /// Makes the images ready for a shader that binds them.
     void make_ready(VkCommandBuffer commands, std::span<const crease::binding> bindings,
@@ -211,6 +220,7 @@ private:
 
     renderer& gpu_;
     crease::effect_view effect_;
+    VkExtent3D picture_;
     renderer::mapped_buffer parameters_;
     VkSampler sampler_{};
     std::vector<image*> images_; // by resource

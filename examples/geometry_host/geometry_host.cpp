@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // An engine with its own Vulkan renderer whose geometry pass captures layers, so that what a screen hides
 // darkens the wall beside it.
+#include "camera.hpp"
 #include "geometry_pass.hpp"
 
 #include <cmath>
@@ -15,14 +16,9 @@ using layered = crease::effect<crease::directions<4, 4>, crease::stochastic_laye
 
 namespace {
 
-constexpr picture::matrix projection = {1, 0, 0, 0, 0, -16.f / 9, 0, 0, 0, 0, 0, -1, 0, 0, 0.1f, 0};
-
 template <class Effect>
 crease::parameters parameters_of() {
-    crease::parameters values = Effect::defaults;
-    if (const auto fit = crease::set_projection(values.view, projection, picture::width, picture::height);
-        !fit)
-        throw std::runtime_error(std::string(fit.error));
+    crease::parameters values = camera::parameters_for(Effect::view());
     values.radius = shaders::radius;
     return values;
 }
@@ -47,8 +43,9 @@ pictures render(renderer& gpu) {
     geometry_pass captured(gpu, nullptr, layered::source<0>(), bindings);
 
     gpu.run([&](VkCommandBuffer commands) {
-        seen.record(commands, projection);
-        with_layers.record(commands, [&](const crease::pass&) { captured.record(commands, projection); });
+        seen.record(commands, camera::projection);
+        with_layers.record(commands,
+                           [&](const crease::pass&) { captured.record(commands, camera::projection); });
         front.record(commands);
     });
     return {gpu.download(with_layers.visibility()), gpu.download(front.visibility())};
@@ -57,8 +54,8 @@ pictures render(renderer& gpu) {
 /// Whether the layers darken the wall beside the screen, and not in the open; says by how much.
 bool plausible(const pictures& made) {
     const auto say = [&](const char* place, float x) {
-        const float front = picture::mean_around(made.front, projection, x, 0, 5);
-        const float layers = picture::mean_around(made.with_layers, projection, x, 0, 5);
+        const float front = picture::mean_around(made.front, camera::projection, x, 0, 5);
+        const float layers = picture::mean_around(made.with_layers, camera::projection, x, 0, 5);
         std::cout << "visibility of the wall " << place << ": " << front << " by the front layer, " << layers
                   << " with what the screen hides, darker by " << front - layers << '\n';
         return front - layers;

@@ -191,7 +191,7 @@ TEST_CASE("emit: what an earlier recipe left and no longer belongs goes, and not
     CHECK(files_in(folder / "out") ==
           std::set<std::string>{"0_visibility.comp", "crease_shaders.json", "mine.txt"});
     // Another name is another emission.
-    expect_success("emit directions:4x4/single_layer/ssao --format header --name other -o '" +
+    expect_success("emit directions:8x4/single_layer/hbao_plus --format header --name other -o '" +
                    (folder / "out").string() + "'");
     expect_success("emit directions:4x4/single_layer/hbao_plus --format header --name third -o '" +
                    (folder / "out").string() + "'");

@@ -87,6 +87,13 @@ TEST_CASE("the page has a row for each format that passes fill") {
         }
 }
 
+TEST_CASE("the page's formats are the runner's") {
+    for (std::size_t i = 1; i < std::size(crease::facts_of_formats); ++i) {
+        const auto f = static_cast<crease::format>(i);
+        CHECK(host_page::vulkan_format(f) == crease::vulkan::detail::texel_of(f).format);
+    }
+}
+
 TEST_CASE("a left-handed projection gives the view of the right-handed one") {
     // Direct3D's, from 0.5 to 50, and the same for a camera that looks down -Z.
     constexpr float left[16] = {1, 0, 0, 0, 0, 2, 0, 0, 0, 0, 50 / 49.5f, 1, 0, 0, -25 / 49.5f, 0};
@@ -216,10 +223,8 @@ TEST_CASE("the runner finds the step, and what it hides darkens no less") {
 }
 
 TEST_CASE("a constant holds what fills it, and the page's shaders are the runner's") {
-    using tiled =
-        crease::effect<crease::directions<4, 4>, crease::single_layer, crease::hbao, crease::tiled_noise>;
     bool has_constant = false;
-    for (const crease::resource& r : tiled::resources)
+    for (const crease::resource& r : layered::resources)
         if (r.life == crease::lifetime::constant) {
             has_constant = true;
             const std::vector<std::uint32_t> texels = host_page::texels_of_constant(r);
@@ -227,7 +232,7 @@ TEST_CASE("a constant holds what fills it, and the page's shaders are the runner
             CHECK(std::ranges::any_of(texels, [&](std::uint32_t each) { return each != texels[0]; }));
         }
     CHECK(has_constant);
-    CHECK(host_page::spirv_of(tiled::passes[0]) == crease::vulkan::compile(tiled::passes[0]).main);
+    CHECK(host_page::spirv_of(single::passes[0]) == crease::vulkan::compile(single::passes[0]).main);
 }
 
 TEST_CASE("an engine's depth and visibility go through the runner as the page says") {

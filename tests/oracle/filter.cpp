@@ -89,7 +89,7 @@ visibility_image blur_by_planes(const visibility_image& image, const picture& p,
                                                  image.normals[centre], image.depth[centre]);
                     const double alike = std::max(glm::dot(image.normals[centre], image.normals[other]), 0.0);
                     const double weight = std::exp(-(i * i + j * j) / (2 * deviation * deviation)) *
-                                          std::max(1 - apart, 0.0) * std::pow(alike, 8);
+                                          std::max(1 - apart, 0.0) * std::max(std::pow(alike, 8), 0.2);
                     sum += weight * image.visibility[other];
                     weights += weight;
                 }

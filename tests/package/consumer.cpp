@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a host writes first: it prints a shader, and holds the type to the SPIR-V that its build made, if it did.
+// What a host writes first: it prints a shader, and holds the type to the SPIR-V that its build made, if it
+// did.
 #include <crease/crease.hpp>
 
 #include <cstdio>

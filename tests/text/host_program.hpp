@@ -34,9 +34,13 @@ inline std::vector<crease::piece> whole_program(const crease::pass& p) {
     const crease::piece version{"version", vulkan ? "#version 450\n" : "#version 430\n"};
     if (p.stage == crease::stage_kind::functions) {
         whole.insert(whole.begin(), {version, {"host", "layout(local_size_x = 8) in;\n"}});
+        const bool is_last = text_of(p).find("float crease_visibility(") != std::string::npos;
         whole.push_back(
-            {"host", "layout(std430, binding = 9) buffer host_result { float host_value; };\n"
-                     "void main() { host_value = crease_visibility(ivec2(gl_GlobalInvocationID.xy)); }\n"});
+            {"host",
+             is_last ? "layout(std430, binding = 9) buffer host_result { float host_value; };\n"
+                       "void main() { host_value = crease_visibility(ivec2(gl_GlobalInvocationID.xy)); }\n"
+                     : "layout(std430, binding = 9) buffer host_result { uvec4 host_value; };\n"
+                       "void main() { host_value = crease_handed_on(ivec2(gl_GlobalInvocationID.xy)); }\n"});
     } else if (p.stage == crease::stage_kind::geometry) {
         whole.insert(whole.begin(), version);
         whole.push_back(

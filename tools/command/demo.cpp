@@ -40,9 +40,7 @@ struct demo_options {
 };
 
 void emit_both(const std::filesystem::path& directory, const char* recipe_text) {
-    emit({.recipe = recipe_text,
-          .formats = {emit_format::glsl, emit_format::spirv},
-          .directory = directory});
+    emit({.recipe = recipe_text, .formats = {emit_format::glsl, emit_format::spirv}, .directory = directory});
 }
 
 double total(const frame& made) {

@@ -12,21 +12,37 @@ namespace crease::tools {
 
 using nlohmann::json;
 
-json parse_gltf_json(std::string_view text) {
-    constexpr int deepest = 64;
-    constexpr std::size_t most_values = 3'000'000;
-    std::size_t values = 0;
-    const auto within_limits = [&](int depth, json::parse_event_t event, const json&) {
+namespace {
+
+/// JSON takes many times the memory of its text, by its values, and each bracket opens one level.
+void check_limits(std::string_view text) {
+    constexpr std::size_t deepest = 64, most_values = 3'000'000;
+    std::size_t depth = 0, values = 1; // at most: one after each comma and in each bracket
+    bool in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '"')
+            in_string = !in_string;
+        else if (in_string)
+            i += c == '\\';
+        else if (c == '[' || c == '{')
+            ++depth;
+        else if ((c == ']' || c == '}') && depth > 0)
+            --depth;
+        values += !in_string && (c == ',' || c == '[' || c == '{');
         if (depth > deepest)
             throw scene_error(fmt::format("its JSON nests deeper than {} levels; export it again", deepest));
-        values += event == json::parse_event_t::object_start || event == json::parse_event_t::array_start ||
-                  event == json::parse_event_t::value;
         if (values > most_values)
             throw scene_error(fmt::format("its JSON has more than {} values; simplify it", most_values));
-        return true;
-    };
+    }
+}
+
+}
+
+json parse_gltf_json(std::string_view text) {
+    check_limits(text);
     try {
-        return json::parse(text, within_limits);
+        return json::parse(text);
     } catch (const json::parse_error& error) {
         throw scene_error(
             fmt::format("is broken: its JSON cannot be read at byte {}; export it again", error.byte));

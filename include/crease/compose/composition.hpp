@@ -87,7 +87,7 @@ private:
         const symbol_table* tables[file_list::capacity]{};
         for (std::size_t i = 0; i < files.size(); ++i)
             tables[i] = &table_of(files[i]);
-        own.written = write_program(planned, each, {tables, files.size()});
+        own.written = write_program(planned, each, {tables, files.size()}, files.cut);
         own.written.cut = own.written.cut || tables_.cut;
         own.written.head.write(own.head);
         own.pieces[own.piece_count++] = {"interface", {own.head, own.written.head.size()}};

@@ -43,7 +43,8 @@ struct symbols<Effect, Pass, std::index_sequence<File...>> {
 template <class Effect, std::size_t Pass>
 inline constexpr program written =
     write_program(planned<Effect>, planned<Effect>.passes[Pass],
-                  symbols<Effect, Pass, std::make_index_sequence<files<Effect, Pass>.size()>>::tables);
+                  symbols<Effect, Pass, std::make_index_sequence<files<Effect, Pass>.size()>>::tables,
+                  files<Effect, Pass>.cut);
 
 template <std::size_t Words>
 struct packed {

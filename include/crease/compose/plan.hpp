@@ -23,7 +23,8 @@ struct planned_pass {
     bool last = false; ///< whether the outputs are the effect's
     extent size{};     ///< of the outputs
     unsigned input_divisor = 1;
-    unsigned view = 0; ///< index of the camera that it works for
+    unsigned view = 0;     ///< index of the camera that it works for
+    unsigned in_chain = 0; ///< place among the main pass, 0, and those of filters
 };
 
 /// An effect before its text.
@@ -189,6 +190,7 @@ constexpr void connect_chain(plan& p, std::size_t first) {
     for (std::size_t i = first; i < p.passes.size(); ++i) {
         planned_pass& pass = p.passes[i];
         pass.last = i + 1 == p.passes.size();
+        pass.in_chain = static_cast<unsigned>(i - first);
         for (const resource& described : output.what->resources) {
             if (described.life != (pass.last ? lifetime::output : lifetime::handed_on))
                 continue;

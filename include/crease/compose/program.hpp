@@ -64,6 +64,9 @@ public:
             set_ = static_cast<unsigned>(placed->number_of("set"));
             first_binding_ = static_cast<unsigned>(placed->number_of("first_binding"));
             next_id_ = static_cast<unsigned>(placed->number_of("first_constant"));
+            // A shader may hold the functions of several passes.
+            set_ += pass.in_chain;
+            next_id_ += pass.in_chain * static_cast<unsigned>(constant_list::capacity);
         }
     }
 
@@ -98,7 +101,7 @@ private:
     constexpr void use_roots() {
         switch (pass_.stage) {
         case stage_kind::functions:
-            use("visibility");
+            use(pass_.last ? "visibility" : "handed_on");
             return;
         case stage_kind::geometry:
             use("capture");
@@ -417,13 +420,14 @@ private:
 };
 
 /// Writes the program of a pass out of the symbols of its files: compile time and run time alike.
+/// @param files_are_cut  whether there are more files than `file_list` holds
 constexpr program write_program(const plan& p, const planned_pass& pass,
-                                array_view<const symbol_table* const> files) {
+                                array_view<const symbol_table* const> files, bool files_are_cut) {
     linker found;
     for (const symbol_table* file : files)
         found.add(*file);
     program written = program_writer(p, pass, found).write();
-    written.cut = written.cut || files.size() == file_list::capacity;
+    written.cut = written.cut || files_are_cut;
     return written;
 }
 

@@ -14,7 +14,8 @@ namespace crease::spirv {
 /// What a module is optimised for.
 enum class goal : unsigned char {
     speed, ///< all functions in one, as much as is known beforehand worked out
-    size   ///< the same, but that a function which is called from several places stays one
+    size   ///< that too, or with functions that are called from several places left as they are: what is
+           ///< smaller
 };
 
 }
@@ -69,6 +70,17 @@ inline words run(spvtools::Optimizer& optimizer, std::span<const std::uint32_t> 
     return changed;
 }
 
+/// Runs SPIRV-Tools' passes for a goal.
+/// @throws error  where the module is not valid
+inline words run_passes(std::span<const std::uint32_t> module, goal aim, vulkan_version version) {
+    spvtools::Optimizer optimizer(environment_of(version)); // runs once only
+    if (aim == goal::speed)
+        optimizer.RegisterPerformancePasses();
+    else
+        optimizer.RegisterSizePasses();
+    return run(optimizer, module, "optimised");
+}
+
 }
 
 namespace crease::spirv {
@@ -79,17 +91,14 @@ namespace crease::spirv {
 /// @throws error  where the module is not valid
 inline words optimise(std::span<const std::uint32_t> module, goal aim,
                       vulkan_version version = vulkan_version::v1_1) {
-    spvtools::Optimizer optimizer(detail::environment_of(version));
-    if (aim == goal::speed) {
-        optimizer.RegisterPerformancePasses();
-        return detail::run(optimizer, module, "optimised");
-    }
-    optimizer.RegisterSizePasses();
+    words whole = detail::run_passes(module, aim, version);
+    if (aim == goal::speed)
+        return whole;
     words marked(module.begin(), module.end());
     detail::keep_shared_functions(marked);
-    words small = detail::run(optimizer, marked, "optimised");
-    detail::let_drivers_inline(small);
-    return small;
+    words shared = detail::run_passes(marked, aim, version);
+    detail::let_drivers_inline(shared);
+    return shared.size() < whole.size() ? shared : whole;
 }
 
 /// The module without the names and lines that debuggers show; what it does is the same.

@@ -196,8 +196,11 @@ private:
     void make_buffer(std::size_t i) {
         const resource& r = effect_.resources[i];
         const VkExtent2D texels = size_of(r.size);
-        const std::size_t bytes =
-            std::size_t{texels.width} * texels.height * r.layers * bytes_of_element(r.element);
+        const std::size_t each = bytes_of_element(r.element);
+        if (each == 0)
+            throw error("the buffer " + quoted(i) + " is of '" + std::string(r.element) +
+                        "'; its elements may be uint, int, float, and their vectors of two or four");
+        const std::size_t bytes = std::size_t{texels.width} * texels.height * r.layers * each;
         constexpr VkBufferUsageFlags usage =
             VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
         if (bytes == 0 || bytes > device_.limits().maxStorageBufferRange)

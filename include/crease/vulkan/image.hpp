@@ -85,9 +85,8 @@ public:
             level_views_.push_back(make_view(on, range(level), what));
     }
     /// Uses a host's image as it is, which must outlive this.
-    /// @param last  what the host did with it last, and so the layout that it is in; by default its content
-    /// is
-    ///              of no account
+    /// @param last  what the host did with it last, and so the layout that it is in; by default what it holds
+    ///              is of no account
     /// @throws error  where it has no handle, view or size
     explicit image(const host_image& of, const image_use& last = {})
         : description_{.name = of.name,

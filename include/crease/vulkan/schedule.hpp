@@ -169,8 +169,8 @@ private:
     /// Whether the images that a pass writes are large enough to have the mip level that it writes.
     bool has_its_level(const pass& each) const {
         return std::ranges::all_of(each.bindings, [this](const binding& b) {
-            return b.level == binding::all_levels ||
-                   b.level < resources_.bound().images[b.resource]->levels();
+            const image* const bound = resources_.bound().images[b.resource]; // null: an input, given later
+            return b.level == binding::all_levels || !bound || b.level < bound->levels();
         });
     }
 

@@ -19,15 +19,10 @@ struct crease_receiver {
 };
 
 crease_receiver crease_make_receiver(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
-    crease_receiver receiver;
-    receiver.pixel = pixel;
-    receiver.texel = texel;
-    receiver.position = position;
-    receiver.normal = normal;
-    receiver.to_eye = crease_to_eye(position);
-    crease_axes(receiver.to_eye, receiver.tangent, receiver.bitangent);
-    receiver.disk = crease_disk(position, receiver.tangent, receiver.bitangent);
-    return receiver;
+    vec3 to_eye = crease_to_eye(position), tangent, bitangent;
+    crease_axes(to_eye, tangent, bitangent);
+    return crease_receiver(pixel, texel, position, normal, to_eye, tangent, bitangent,
+                           crease_disk(position, tangent, bitangent));
 }
 #ifdef __cplusplus
 ")glsl"

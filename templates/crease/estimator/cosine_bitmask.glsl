@@ -6,16 +6,16 @@ float crease_slice_weight(float share);
 __LINE__, R"glsl("
 #endif
 
-// A bitmask of the cosine lobe: Therrien et al. 2023, with sectors of equal cosine-weighted measure. Angles in a half slice
-// count from the normal projected into it, towards the direction; the one of the eye is -g, that of the tangent plane a right
-// angle. The measure from the eye to the angle of sine s is, with the normal's parts a along the eye and b along the
-// direction,
-//     (a s^2 + b B(s) + const) / 2, where B(s) = asin s + s cos(asin s), about s (2 - (2 - pi/2) s^2).
-const int crease_cosine_bitmask_sectors = 31;
-const float crease_cosine_bitmask_cubic = 0.42920367; // 2 - pi/2
+// A bitmask of the cosine lobe: Therrien et al. 2023, with sectors of equal cosine-weighted measure and without acos.
+// Angles in the half slice of a direction count from the normal projected into it, towards the direction: that of the
+// eye is -g, that of the tangent plane a right angle. With the normal's parts a along the way to the eye and b along
+// the direction, the measure up to the angle of sine s is, but for a constant,
+//     (a s^2 + b B(s)) / 2, where B(s) = asin s + s sqrt(1 - s^2), which is about s (2 - (2 - pi / 2) s^2).
+const int crease_cosine_bitmask_sectors = 31; // so that 1 << 31 is above the last
+const float crease_cosine_bitmask_cubic = 0.42920367;
 
-// What is between the layer of a tap and another behind it. Heights over the tangent plane and distances along it are times
-// cos g.
+// What is between the layer of a tap and another behind it. Heights over the tangent plane and distances along it are
+// in the slice, times cos g.
 struct crease_cosine_bitmask_slab {
     float height, along;         // of the layer
     float ray_height, ray_along; // of the way on from it by a depth of 1
@@ -24,28 +24,28 @@ struct crease_cosine_bitmask_slab {
 };
 
 struct crease_estimate {
-    float hidden; // summed over the directions, by their weights
+    float hidden; // summed over the directions, by their weights: sectors
     float whole;  // sum of the weights
 };
 
 // A direction.
 struct crease_march {
-    vec3 height, along; // the rows
-    float bias;         // of the height
-    float reach;        // 1 / (radius cos g)
-    vec2 constant, linear, square, cubic; // of the sector at the sine of an angle, counted from the tangent plane
+    vec3 height, along;                   // rows that give heights and distances of ways
+    float bias;                           // taken off heights, as rounding makes planes rough
+    float reach;                          // 1 / (radius cos g)
+    vec2 constant, linear, square, cubic; // of the sector at a sine, from the tangent plane up; all alike
     float weight;
-    vec2 towards;       // sine and cosine of g
-    uint hidden;        // a bit for each sector
-    float occlusion;    // of the hidden sectors by their nearness
-    crease_cosine_bitmask_slab last;
-    float before;       // depth of the tap before it
+    vec2 towards;                         // cosine and sine of g
+    uint hidden;                          // a bit for each sector, the lowest at the tangent plane
+    float occlusion;                      // of the hidden sectors, by how near they are hidden
     int taps;
+    crease_cosine_bitmask_slab last;      // of the tap before, which waits for the next
+    float before_last;                    // depth
 };
 
 struct crease_contribution {
-    crease_cosine_bitmask_slab slab; // the nearest of the tap
-    uint own, behind;                // sectors that it hides, and that those behind it hide: where a tap has several
+    crease_cosine_bitmask_slab slab;           // the nearest of the tap
+    uint own, behind;                          // sectors that it hides, and those behind it: where a tap has several
     float own_nearness, behind_nearness;
 };
 
@@ -55,40 +55,44 @@ crease_march crease_begin_direction(crease_estimate estimate, crease_receiver re
     vec3 azimuth = receiver.tangent * direction.x + receiver.bitangent * direction.y;
     vec2 normal = vec2(max(dot(receiver.normal, receiver.to_eye), 0.0), dot(receiver.normal, azimuth));
     float inverse = inversesqrt(max(dot(normal, normal), 1e-12));
-    vec2 towards = normal * inverse; // cosine and sine of g
-    // The approximation is less than 0 where the normal leans far away.
-    float whole = max(normal.x * towards.x * towards.x +
-                          normal.y * (1.57079633 + towards.y * (2.0 - crease_cosine_bitmask_cubic * towards.y * towards.y)),
-                      0.02);
-    vec2 k = normal * (float(crease_cosine_bitmask_sectors) / whole);
+    vec2 towards = normal * inverse;
+    float sine_part = 1.57079633 + towards.y * (2.0 - crease_cosine_bitmask_cubic * towards.y * towards.y);
+    // The approximation falls below 0 where the normal leans far away.
+    float whole = max(normal.x * towards.x * towards.x + normal.y * sine_part, 0.02);
+    vec2 each = normal * (float(crease_cosine_bitmask_sectors) / whole);
     crease_march march;
     march.height = receiver.normal * (towards.x * inverse);
     march.along = azimuth - receiver.normal * (towards.y * inverse);
     march.bias = -1e-5 * receiver.position.z;
     march.reach = 1.0 / (max(crease_radius, 1e-20) * max(towards.x, 1e-6));
-    march.constant = vec2(k.x + k.y * 1.57079633 + 0.5);
-    march.linear = vec2(-2.0 * k.y);
-    march.square = vec2(-k.x);
-    march.cubic = vec2(crease_cosine_bitmask_cubic * k.y);
-    march.weight = crease_slice_weight(whole);
+    march.constant = vec2(each.x + each.y * 1.57079633 + 0.5); // rounds
+    march.linear = vec2(-2.0 * each.y);
+    march.square = vec2(-each.x);
+    march.cubic = vec2(crease_cosine_bitmask_cubic * each.y);
+    march.weight = crease_slice_weight(0.5 * whole);
     march.towards = towards;
     march.hidden = 0u;
     march.occlusion = 0.0;
-    march.last = crease_cosine_bitmask_slab(-1.0, 0.0, 0.0, 0.0, -receiver.position.z, 0.0, 0.0);
-    march.before = 0.0;
     march.taps = 0;
+    march.last = crease_cosine_bitmask_slab(-1.0, 0.0, 0.0, 0.0, -receiver.position.z, 0.0, 0.0);
+    march.before_last = 0.0;
     return march;
 }
 
 float crease_cosine_bitmask_sector(crease_march march, float sine) {
-    return clamp(march.constant.x + sine * (march.linear.x + sine * (march.square.x + sine * march.cubic.x)), 0.0, 31.0);
+    float sector =
+        march.constant.x + sine * (march.linear.x + sine * (march.square.x + sine * march.cubic.x));
+    return clamp(sector, 0.0, 31.0);
 }
 
-// The sectors of a slab of this thickness, and 1 / the distance of its nearer end, times cos g.
+// The edge of a layer lies somewhere between its tap and the one before.
+float crease_cosine_bitmask_nearer(float gap) { return max(1.0 - 0.3 * gap, 0.4); }
+
+// The sectors that a slab of this thickness hides, and how near it is: 1 / the distance of its nearer end, over cos g.
 uint crease_cosine_bitmask_sectors_of(crease_march march, crease_cosine_bitmask_slab slab, float thickness,
                                       out float nearest) {
     vec2 height = vec2(slab.height, slab.ray_height * thickness + slab.height);
-    vec2 along = vec2(slab.along * max(1.0 - 0.3 * slab.gap, 0.4), slab.ray_along * thickness + slab.along);
+    vec2 along = vec2(slab.along * crease_cosine_bitmask_nearer(slab.gap), slab.ray_along * thickness + slab.along);
     vec2 inverse = inversesqrt(height * height + along * along);
     nearest = max(inverse.x, inverse.y);
     vec2 sine = along * inverse;
@@ -96,7 +100,7 @@ uint crease_cosine_bitmask_sectors_of(crease_march march, crease_cosine_bitmask_
     sector = mix(vec2(0.0), clamp(sector, 0.0, 31.0), greaterThan(height, vec2(0.0)));
     uvec2 bit = uvec2(1u) << uvec2(sector);
     uint hidden = bit.x - min(bit.x, bit.y);
-    return nearest > march.reach ? hidden : 0u;
+    return nearest > march.reach ? hidden : 0u; // a select; a branch costs more
 }
 
 void crease_cosine_bitmask_hide(inout crease_march march, uint hidden, float nearness) {
@@ -105,32 +109,31 @@ void crease_cosine_bitmask_hide(inout crease_march march, uint hidden, float nea
     march.hidden |= hidden;
 }
 
-void crease_cosine_bitmask_hide_slab(inout crease_march march, crease_cosine_bitmask_slab slab, float thickness) {
+void crease_cosine_bitmask_hide_last(inout crease_march march, float thickness) {
     float nearest;
-    uint hidden = crease_cosine_bitmask_sectors_of(march, slab, thickness, nearest);
+    uint hidden = crease_cosine_bitmask_sectors_of(march, march.last, thickness, nearest);
     crease_cosine_bitmask_hide(march, hidden, 1.0 - march.reach / nearest);
 }
 
 crease_contribution crease_weigh(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer layer) {
     vec3 eye = crease_view_position(tap.texel, 0.0), ray = crease_view_position(tap.texel, 1.0) - eye;
     vec3 start = eye - receiver.position;
-    float depth = -layer.position.z;
-    float ray_height = dot(march.height, ray), ray_along = dot(march.along, ray);
-    float height = ray_height * depth + (dot(march.height, start) - march.bias);
-    float along = ray_along * depth + dot(march.along, start);
-    crease_contribution own;
-    own.slab = crease_cosine_bitmask_slab(tap.inside ? height : -1.0, along, ray_height, ray_along, depth, tap.gap,
-                                          tap.gap * tap.distance);
-    own.own = 0u;
-    own.behind = 0u;
-    own.own_nearness = 0.0;
-    own.behind_nearness = 0.0;
+    crease_cosine_bitmask_slab slab;
+    slab.depth = -layer.position.z;
+    slab.ray_height = dot(march.height, ray);
+    slab.ray_along = dot(march.along, ray);
+    slab.height = slab.ray_height * slab.depth + (dot(march.height, start) - march.bias);
+    slab.height = tap.inside ? slab.height : -1.0;
+    slab.along = slab.ray_along * slab.depth + dot(march.along, start);
+    slab.gap = tap.gap;
+    slab.spacing = tap.gap * tap.distance;
+    crease_contribution contribution = crease_contribution(slab, 0u, 0u, 0.0, 0.0);
     if (crease_most_layers > 1) {
-        float nearest;
-        own.own = crease_cosine_bitmask_sectors_of(march, own.slab, crease_cosine_bitmask_thickness * crease_radius, nearest);
-        own.own_nearness = 1.0 - march.reach / nearest;
+        float thickness = crease_cosine_bitmask_thickness * crease_radius, nearest;
+        contribution.own = crease_cosine_bitmask_sectors_of(march, slab, thickness, nearest);
+        contribution.own_nearness = 1.0 - march.reach / nearest;
     }
-    return own;
+    return contribution;
 }
 
 // Layers of a tap hide what any of them hides.
@@ -140,11 +143,11 @@ crease_contribution crease_combine(crease_contribution a, crease_contribution b)
         near = b;
         far = a;
     }
-    uint behind = (far.own | far.behind) & ~near.behind;
-    float before = float(bitCount(near.behind)), added = float(bitCount(behind));
-    near.behind_nearness = (before * near.behind_nearness + added * max(far.own_nearness, far.behind_nearness)) /
-        max(before + added, 1.0);
-    near.behind |= behind;
+    uint added = (far.own | far.behind) & ~near.behind;
+    float before = float(bitCount(near.behind)), more = float(bitCount(added));
+    near.behind_nearness = (before * near.behind_nearness + more * max(far.own_nearness, far.behind_nearness)) /
+        max(before + more, 1.0);
+    near.behind |= added;
     return near;
 }
 
@@ -152,31 +155,30 @@ crease_contribution crease_combine(crease_contribution a, crease_contribution b)
 bool crease_skip_behind(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer front) {
     vec3 to_front = front.position - receiver.position;
     float height = dot(march.height, to_front) - march.bias;
-    float along = dot(march.along, to_front) * max(1.0 - 0.3 * tap.gap, 0.4);
+    float along = dot(march.along, to_front) * crease_cosine_bitmask_nearer(tap.gap);
     float sector = crease_cosine_bitmask_sector(march, along * inversesqrt(height * height + along * along));
     uint below = height > 0.0 ? (1u << uint(sector)) - 1u : 0u;
     return (below & ~march.hidden) == 0u;
 }
 
-// What is nearer than the taps on both sides of it is no thicker than they are apart.
-float crease_cosine_bitmask_thickness_of(crease_march march, float depth_after) {
+// How thick the last slab is: what is nearer to the eye than the taps on both sides is no thicker than they are apart.
+float crease_cosine_bitmask_thickness_of_last(crease_march march, float depth_after) {
     float thickness = crease_cosine_bitmask_thickness;
     if (crease_cosine_bitmask_isolated != 0) {
-        bool isolated = march.last.depth + 0.1 * crease_radius < min(march.before, depth_after);
-        float thin = min(thickness, 0.03 + march.last.spacing);
+        bool isolated = march.last.depth + 0.1 * crease_radius < min(march.before_last, depth_after);
+        float thin = min(march.last.spacing + 0.03, thickness);
         thickness = isolated ? thin : thickness;
     }
     return thickness * crease_radius;
 }
 
-// A slab waits for the tap after it, which tells whether it is isolated.
 void crease_add(inout crease_march march, crease_contribution contribution) {
     if (march.taps > 0)
-        crease_cosine_bitmask_hide_slab(march, march.last,
-                                        crease_cosine_bitmask_thickness_of(march, contribution.slab.depth));
+        crease_cosine_bitmask_hide_last(march,
+                                        crease_cosine_bitmask_thickness_of_last(march, contribution.slab.depth));
     if (crease_most_layers > 1)
         crease_cosine_bitmask_hide(march, contribution.behind, contribution.behind_nearness);
-    march.before = march.last.depth;
+    march.before_last = march.last.depth;
     march.last = contribution.slab;
     ++march.taps;
 }
@@ -187,8 +189,7 @@ void crease_add_behind(inout crease_march march, crease_contribution front, crea
 }
 
 crease_march crease_cosine_bitmask_ended(crease_march march) {
-    float thickness = crease_cosine_bitmask_thickness_of(march, crease_background);
-    crease_cosine_bitmask_hide_slab(march, march.last, thickness);
+    crease_cosine_bitmask_hide_last(march, crease_cosine_bitmask_thickness_of_last(march, crease_background));
     return march;
 }
 
@@ -203,12 +204,12 @@ float crease_estimate_occlusion(crease_estimate estimate) {
     return estimate.hidden / (max(estimate.whole, 1e-6) * float(crease_cosine_bitmask_sectors));
 }
 
-// What the hidden sectors take of the mean direction, an eighth of the angles from the eye to the tangent plane at a time.
-// One and a half times the mean of all half slices is the normal.
+// What the hidden sectors take of the mean direction, an eighth of the angles from the eye down to the tangent plane at
+// a time. One and a half times the mean of all half slices is the normal.
 crease_open crease_open_direction(crease_march march, crease_receiver receiver, vec2 direction) {
     uint hidden = crease_cosine_bitmask_ended(march).hidden;
     float eye = atan(march.towards.y, march.towards.x), width = (1.57079633 + eye) / 8.0;
-    uint below = (1u << uint(crease_cosine_bitmask_sectors)) - 1u; // sectors from an angle to the tangent plane
+    uint below = (1u << uint(crease_cosine_bitmask_sectors)) - 1u; // the sectors on from an angle
     vec2 moved = vec2(0.0); // along the direction, and to the eye
     float turned = 0.0;
     for (int i = 0; i < 8; ++i) {

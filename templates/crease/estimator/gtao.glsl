@@ -9,8 +9,8 @@ crease_half_slice crease_half_slice_of(vec2 normal);
 __LINE__, R"glsl("
 #endif
 
-// Ground-truth ambient occlusion: Jimenez et al. 2016. Each half of a slice is integrated by itself, so directions need no
-// opposites; occlusion is the share of the cosine lobe over the tangent plane that the horizon hides.
+// Ground-truth ambient occlusion: Jimenez et al. 2016. Each half of a slice is integrated by itself, so directions need
+// no opposites; occlusion is the share of the cosine lobe over the tangent plane that the horizon hides.
 struct crease_estimate {
     float hidden; // summed over the directions, by their weights
     float whole;  // sum of the weights
@@ -78,13 +78,15 @@ vec2 crease_gtao_sum(vec2 normal, float cosine) {
                 normal.x * (1.0 - cubed) + normal.y * sine_cubed) / 3.0;
 }
 
-// What the horizon takes of the mean direction, and the angle by which it rises. One and a half times the mean of all half
-// slices is the normal.
+// What the horizon takes of the mean direction, and the angle by which it rises. One and a half times the mean of all
+// half slices is the normal.
 crease_open crease_open_direction(crease_march march, crease_receiver receiver, vec2 direction) {
     float horizon = crease_gtao_horizon(march), weight = crease_slice_weight(march.slice.share);
-    vec2 moved = crease_gtao_sum(march.slice.normal, horizon) - crease_gtao_sum(march.slice.normal, march.slice.tangent);
+    vec2 whole = crease_gtao_sum(march.slice.normal, march.slice.tangent);
+    vec2 moved = crease_gtao_sum(march.slice.normal, horizon) - whole;
     moved *= 1.5 * weight / max(march.slice.share, 1e-6);
-    return crease_open(vec3(direction * moved.x, moved.y), weight, weight * (acos(march.slice.tangent) - acos(horizon)));
+    float turned = acos(march.slice.tangent) - acos(horizon);
+    return crease_open(vec3(direction * moved.x, moved.y), weight, weight * turned);
 }
 
 float crease_estimate_occlusion(crease_estimate estimate) { return estimate.hidden / max(estimate.whole, 1e-6); }

@@ -3,8 +3,8 @@
 __LINE__, R"glsl("
 #endif
 
-// The half slice of a direction, in which angles count from the way to the eye. The measure of the cosine lobe in it, up to
-// the angle t, is, with the normal's parts a along the way to the eye and b along the direction,
+// The half slice of a direction, in which angles count from the way to the eye. The measure of the cosine lobe in it,
+// up to the angle t, is, with the normal's parts a along the way to the eye and b along the direction,
 //     (a sin^2 t + b (t - sin t cos t)) / 2.
 struct crease_half_slice {
     vec2 normal;   // a and b
@@ -29,8 +29,8 @@ crease_half_slice crease_half_slice_along(crease_receiver receiver, vec2 directi
         vec2(max(dot(receiver.normal, receiver.to_eye), 0.0), dot(receiver.normal, azimuth)));
 }
 
-// The normal in the half slice of a point, which its texel moves off the marched direction: so a plane is unoccluded at every
-// slant.
+// The normal in the half slice of a point, which its texel moves off the marched direction: so a plane is unoccluded at
+// every slant.
 vec2 crease_half_slice_normal(crease_half_slice slice, crease_receiver receiver, vec3 to_point) {
     float squared = dot(to_point, to_point), towards = dot(to_point, receiver.to_eye);
     float across = sqrt(max(squared - towards * towards, 1e-12 * squared));

@@ -10,8 +10,8 @@ crease_half_slice crease_half_slice_of(vec2 normal);
 __LINE__, R"glsl("
 #endif
 
-// Visibility bitmask: Therrien et al. 2023. The angles of a half slice, from the way to the eye down to the tangent plane, are
-// divided into 32 even sectors, each of which counts the same; a layer hides those from its front to its back.
+// Visibility bitmask: Therrien et al. 2023. The angles of a half slice, from the way to the eye down to the tangent
+// plane, are divided into 32 even sectors, each of which counts the same; a layer hides those from front to back.
 struct crease_estimate {
     float hidden; // summed over the directions, by their weights: the shares of hidden sectors
     float whole;  // sum of the weights
@@ -79,8 +79,8 @@ void crease_end_direction(inout crease_estimate estimate, crease_march march) {
     estimate.whole += weight;
 }
 
-// What hidden sectors, four by four, take of the mean direction. One and a half times the mean of all half slices is the
-// normal.
+// What hidden sectors, four by four, take of the mean direction. One and a half times the mean of all half slices is
+// the normal.
 crease_open crease_open_direction(crease_march march, crease_receiver receiver, vec2 direction) {
     float weight = crease_slice_weight(march.slice.share), width = acos(march.slice.tangent) / 8.0;
     vec2 moved = vec2(0.0); // along the direction, and to the eye

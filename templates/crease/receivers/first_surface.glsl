@@ -10,20 +10,14 @@ crease_result crease_open_result();
 __LINE__, R"glsl("
 #endif
 
-// The surface in the depth image; false for background.
-bool crease_receive(ivec2 pixel, out crease_receiver receiver) {
+// Of the surface in the depth image; background is open.
+crease_result crease_evaluate(ivec2 pixel) {
     vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
     float depth = crease_depth_at(texel);
     if (!(depth > 0.0 && depth < crease_background))
-        return false;
+        return crease_open_result();
     vec3 position = crease_view_position(texel, depth);
-    receiver = crease_make_receiver(pixel, texel, position, crease_normal_at(texel, position));
-    return true;
-}
-
-crease_result crease_evaluate(ivec2 pixel) {
-    crease_receiver receiver;
-    return crease_receive(pixel, receiver) ? crease_result_of(receiver) : crease_open_result();
+    return crease_result_of(crease_make_receiver(pixel, texel, position, crease_normal_at(texel, position)));
 }
 #ifdef __cplusplus
 ")glsl"

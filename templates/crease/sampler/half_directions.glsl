@@ -7,8 +7,8 @@ crease_tap crease_stepped_tap(crease_stepped_march march, int step, int steps, i
 __LINE__, R"glsl("
 #endif
 
-// Directions by importance: where a point is even on the unit sphere around the tip of the normal, the way to it is a ray
-// of the cosine lobe, and the slice that holds it and the eye is drawn as often as it holds of the lobe.
+// Directions by importance: where a point is even on the unit sphere around the tip of the normal, the way to it is a
+// ray of the cosine lobe, and the slice that holds it and the eye is drawn as often as it holds of the lobe.
 struct crease_pattern {
     vec2 on_disk; // the normal along the axes of the disk
     vec3 noise;

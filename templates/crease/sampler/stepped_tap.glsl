@@ -3,8 +3,8 @@
 __LINE__, R"glsl("
 #endif
 
-// A march whose steps grow by a power of their index. It begins a texel away, so that no tap falls on the receiver itself;
-// what would be beside the depth image is looked for at its edge.
+// A march whose steps grow by a power of their index. It begins a texel away, so that no tap falls on the receiver
+// itself; what would be beside the depth image is looked for at its edge.
 struct crease_stepped_march {
     vec2 first;   // texels: where it begins; rounded down it is the texel
     vec2 radius;  // texels: the way to the radius
@@ -14,7 +14,7 @@ struct crease_stepped_march {
 crease_stepped_march crease_stepped_march_begin(crease_receiver receiver, vec2 direction, float offset) {
     vec2 radius = receiver.disk * direction;
     vec2 texel = radius * inversesqrt(max(dot(radius, radius), 1e-20));
-    return crease_stepped_march(receiver.texel + 0.5 + texel, radius, max(offset, 1e-4));
+    return crease_stepped_march(receiver.texel + 0.5 + texel, radius, max(offset, 1e-4)); // gaps are shares of it
 }
 
 crease_tap crease_stepped_tap(crease_stepped_march march, int step, int steps, int power) {

@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -271,4 +272,25 @@ TEST_CASE("two cameras have two views in the block, and a program for both begin
     check_declares("directions/stochastic_layers/hbao_plus/second_view", 3,
                    {"const int crease_view_index = 1;"});
     CHECK_FALSE(contains(interface_of("directions/stochastic_layers/hbao_plus", 2), "from_first"));
+}
+
+TEST_CASE("as many files as there is room for are not too many, one more is") {
+    static constexpr glsl_file empty("engine/empty.glsl", "");
+    static std::array<const glsl_file*, file_list::capacity + 1> many;
+    many.fill(&empty);
+    const plan p = make_plan(recipe("directions/single_layer/hbao").choices());
+    const std::size_t others = files_of(p, p.passes[0]).size();
+    const auto refused = [&](std::size_t count) {
+        const part noise{
+            .kind = role::noise, .name = "own", .summary = "", .source = "", .files = {many.data(), count}};
+        const part* const known[] = {&directions_part::description, &single_layer::description,
+                                     &hbao::description, &noise};
+        const recipe with_own("directions/single_layer/hbao/own", known);
+        const auto composed = std::make_unique<composition>(with_own);
+        return std::string(composed->error());
+    };
+    // All of hashed_noise's go.
+    const std::size_t room = file_list::capacity - others + hashed_noise::description.files.size();
+    CHECK_FALSE(contains(refused(room), rules::short_programs));
+    CHECK(contains(refused(room + 1), rules::short_programs));
 }

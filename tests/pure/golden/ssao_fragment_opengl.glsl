@@ -40,17 +40,6 @@ struct crease_result {
     vec3 normal;      // view space, unit; filters that weigh by it have it handed on
 };
 
-// The point whose visibility is asked for.
-struct crease_receiver {
-    ivec2 pixel;             // of the pass's output
-    vec2 texel;              // texel space of the depth image
-    vec3 position;           // view space
-    vec3 normal;             // view space, unit
-    vec3 to_eye;             // view space, unit
-    vec3 tangent, bitangent; // view space, unit: the axes of the disk that faces the eye
-    mat2 disk;               // from offsets on that disk, in AO radii, to texels
-};
-
 // Shaders index texels of the whole depth image, guard band included, with texel centres at whole numbers.
 crease_view_parameters crease_view_of(int index) {
     crease_view_parameters view = crease_given.views[index];
@@ -80,75 +69,22 @@ float crease_depth_at(vec2 texel) {
     return crease_linear_depth(textureLod(crease_depth, (texel + 0.5) * crease_view.texel_size, 0.0).x);
 }
 
+crease_result crease_open_result() { return crease_result(1.0, crease_background, vec3(0.0, 0.0, 1.0)); }
+
 vec3 crease_view_position(vec2 texel, float depth) {
     return vec3(texel * crease_view.from_texel.xy + crease_view.from_texel.zw, -depth);
 }
 
-vec3 crease_to_eye(vec3 position) { return vec3(0.0, 0.0, 1.0); }
-
-void crease_axes(vec3 to_eye, out vec3 tangent, out vec3 bitangent) {
-    tangent = vec3(1.0, 0.0, 0.0);
-    bitangent = vec3(0.0, 1.0, 0.0);
-}
-
-mat2 crease_disk(vec3 position, vec3 tangent, vec3 bitangent) {
-    vec2 scale = crease_radius / crease_view.from_texel.xy;
-    return mat2(scale.x, 0.0, 0.0, scale.y);
-}
-
-crease_receiver crease_make_receiver(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
-    crease_receiver receiver;
-    receiver.pixel = pixel;
-    receiver.texel = texel;
-    receiver.position = position;
-    receiver.normal = normal;
-    receiver.to_eye = crease_to_eye(position);
-    crease_axes(receiver.to_eye, receiver.tangent, receiver.bitangent);
-    receiver.disk = crease_disk(position, receiver.tangent, receiver.bitangent);
-    return receiver;
-}
-
-// Size of the depth image in texels, guard band included.
-vec2 crease_depth_size() { return crease_view.resolution + 2.0 * crease_view.guard; }
-
-// Whether texel coordinates lie inside the depth image. Compares bits: those of negative numbers and NaN exceed any size's.
-bool crease_inside(vec2 texel) {
-    return all(lessThan(floatBitsToUint(texel), floatBitsToUint(crease_depth_size())));
-}
-
-// The normal of the plane through the receiver and two neighbours: of left and right, and of up and down, the one that
-// is nearer in depth.
-vec3 crease_reconstructed_normals_tangent(vec2 texel, vec3 position, vec2 axis) {
-    vec2 before_texel = texel - axis, after_texel = texel + axis;
-    vec3 before = crease_view_position(before_texel, crease_depth_at(before_texel));
-    vec3 after = crease_view_position(after_texel, crease_depth_at(after_texel));
-    bool has_before = crease_inside(before_texel);
-    bool has_after = crease_inside(after_texel);
-    bool take_after = has_after && (!has_before || abs(after.z - position.z) < abs(before.z - position.z));
-    return take_after ? after - position : position - before;
-}
-
-vec3 crease_normal_at(vec2 texel, vec3 position) {
-    vec3 normal = cross(crease_reconstructed_normals_tangent(texel, position, vec2(1.0, 0.0)),
-                        crease_reconstructed_normals_tangent(texel, position, vec2(0.0, 1.0)));
-    float squared = dot(normal, normal);
-    vec3 to_eye = crease_to_eye(position);
-    if (!(squared > 0.0 && squared < 1e30)) // a picture one texel wide, or a neighbour that is not finite
-        return to_eye;
-    normal *= inversesqrt(squared);
-    return dot(normal, to_eye) < 0.0 ? -normal : normal;
-}
-
-// The surface in the depth image; false for background.
-bool crease_receive(ivec2 pixel, out crease_receiver receiver) {
-    vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
-    float depth = crease_depth_at(texel);
-    if (!(depth > 0.0 && depth < crease_background))
-        return false;
-    vec3 position = crease_view_position(texel, depth);
-    receiver = crease_make_receiver(pixel, texel, position, crease_normal_at(texel, position));
-    return true;
-}
+// The point whose visibility is asked for.
+struct crease_receiver {
+    ivec2 pixel;             // of the pass's output
+    vec2 texel;              // texel space of the depth image
+    vec3 position;           // view space
+    vec3 normal;             // view space, unit
+    vec3 to_eye;             // view space, unit
+    vec3 tangent, bitangent; // view space, unit: the axes of the disk that faces the eye
+    mat2 disk;               // from offsets on that disk, in AO radii, to texels
+};
 
 // Range-checked points: stochastic-depth-ao, Algorithm 1. Geometry further than the radius is ignored, as 4.1 says; the
 // listing's smoothstep of R / |p.z - d| would leave half of it there at two radii. What hides a point from the eye and
@@ -197,6 +133,9 @@ uvec3 crease_hashed_noise_mix(uvec3 v) {
 vec3 crease_noise(ivec2 pixel) {
     return vec3(crease_hashed_noise_mix(uvec3(uvec2(pixel), crease_frame)) >> 8u) * (1.0 / 16777216.0);
 }
+
+// Size of the depth image in texels, guard band included.
+vec2 crease_depth_size() { return crease_view.resolution + 2.0 * crease_view.guard; }
 
 // The radius in which a sampler looks for points: no larger than half the picture's diagonal at the receiver's depth,
 // so that a radius that is larger than the picture still finds what is there.
@@ -276,6 +215,11 @@ void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out 
     vec3 own_ray = crease_view_position(receiver.texel, 1.0) - own_eye;
     ray = crease_view_position(texel, 1.0) - eye;
     start = (eye - own_eye) - (ray - own_ray) * receiver.position.z;
+}
+
+// Whether texel coordinates lie inside the depth image. Compares bits: those of negative numbers and NaN exceed any size's.
+bool crease_inside(vec2 texel) {
+    return all(lessThan(floatBitsToUint(texel), floatBitsToUint(crease_depth_size())));
 }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
@@ -430,11 +374,56 @@ crease_result crease_result_of(crease_receiver receiver) {
     return crease_conclude(crease_gather(receiver), receiver);
 }
 
-crease_result crease_open_result() { return crease_result(1.0, crease_background, vec3(0.0, 0.0, 1.0)); }
+vec3 crease_to_eye(vec3 position) { return vec3(0.0, 0.0, 1.0); }
 
+void crease_axes(vec3 to_eye, out vec3 tangent, out vec3 bitangent) {
+    tangent = vec3(1.0, 0.0, 0.0);
+    bitangent = vec3(0.0, 1.0, 0.0);
+}
+
+mat2 crease_disk(vec3 position, vec3 tangent, vec3 bitangent) {
+    vec2 scale = crease_radius / crease_view.from_texel.xy;
+    return mat2(scale.x, 0.0, 0.0, scale.y);
+}
+
+crease_receiver crease_make_receiver(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
+    vec3 to_eye = crease_to_eye(position), tangent, bitangent;
+    crease_axes(to_eye, tangent, bitangent);
+    return crease_receiver(pixel, texel, position, normal, to_eye, tangent, bitangent,
+                           crease_disk(position, tangent, bitangent));
+}
+
+// The normal of the plane through the receiver and two neighbours: of left and right, and of up and down, the one that
+// is nearer in depth.
+vec3 crease_reconstructed_normals_tangent(vec2 texel, vec3 position, vec2 axis) {
+    vec2 before_texel = texel - axis, after_texel = texel + axis;
+    vec3 before = crease_view_position(before_texel, crease_depth_at(before_texel));
+    vec3 after = crease_view_position(after_texel, crease_depth_at(after_texel));
+    bool has_before = crease_inside(before_texel);
+    bool has_after = crease_inside(after_texel);
+    bool take_after = has_after && (!has_before || abs(after.z - position.z) < abs(before.z - position.z));
+    return take_after ? after - position : position - before;
+}
+
+vec3 crease_normal_at(vec2 texel, vec3 position) {
+    vec3 normal = cross(crease_reconstructed_normals_tangent(texel, position, vec2(1.0, 0.0)),
+                        crease_reconstructed_normals_tangent(texel, position, vec2(0.0, 1.0)));
+    float squared = dot(normal, normal);
+    vec3 to_eye = crease_to_eye(position);
+    if (!(squared > 0.0 && squared < 1e30)) // a picture one texel wide, or a neighbour that is not finite
+        return to_eye;
+    normal *= inversesqrt(squared);
+    return dot(normal, to_eye) < 0.0 ? -normal : normal;
+}
+
+// Of the surface in the depth image; background is open.
 crease_result crease_evaluate(ivec2 pixel) {
-    crease_receiver receiver;
-    return crease_receive(pixel, receiver) ? crease_result_of(receiver) : crease_open_result();
+    vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
+    float depth = crease_depth_at(texel);
+    if (!(depth > 0.0 && depth < crease_background))
+        return crease_open_result();
+    vec3 position = crease_view_position(texel, depth);
+    return crease_result_of(crease_make_receiver(pixel, texel, position, crease_normal_at(texel, position)));
 }
 
 // Visibility alone.

@@ -43,7 +43,8 @@ struct cosine_bitmask_part {
     };
 };
 
-/// Estimator:
+/// Estimator: the sectors of the cosine lobe that layers of a thickness hide. Aims at the `hard` truth, or
+/// where `Linear` is 1 at the `linear` one. Where `Isolated` is 1, thin things cast less of a dark rim.
 template <int Linear = 0, int Isolated = 1>
 struct cosine_bitmask : cosine_bitmask_part {
     static constexpr int numbers[] = {Linear, Isolated};

@@ -34,7 +34,7 @@ struct plane_filter_part {
 
 /// Filter: a blur over 2 `Radius` + 1 texels each way, in one pass, that keeps to a surface. A texel counts
 /// by a Gaussian with the standard deviation 3/4 `Radius`, times max(0, 1 - h / (`plane_reach` R)) of its
-/// distance h from the tangent plane, times max(0, cos)^8 of the angle between the normals. Beyond the
+/// distance h from the tangent plane, times max(0.2, cos^8) of the angle between the normals. Beyond the
 /// picture its edge counts on.
 template <int Radius = 2>
 struct plane_filter : plane_filter_part {

@@ -17,11 +17,10 @@ static_assert(!recipe("directions/single_layer/hbao/first_surface/first_surface"
 }
 
 TEST_CASE("first_surface is the default: one receiver a pixel, and background is open") {
-    CHECK(contains(by_default::source<0>(),
-                   "return crease_receive(pixel, receiver) ? crease_result_of(receiver) : "
-                   "crease_open_result();"));
+    CHECK(contains(by_default::source<0>(), "return crease_result_of(crease_make_receiver("));
+    CHECK(contains(by_default::source<0>(), "return crease_open_result();"));
     CHECK(contains(by_default::source<0>(), "if (!(depth > 0.0 && depth < crease_background))"));
     // A filter finds its own.
     using filtered = effect<directions<4, 4>, single_layer, hbao, bilateral<>>;
-    CHECK_FALSE(contains(filtered::source<1>(), "crease_receive("));
+    CHECK_FALSE(contains(filtered::source<1>(), "crease_make_receiver("));
 }
