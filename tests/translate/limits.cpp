@@ -40,7 +40,7 @@ std::string image(const std::string& format, const std::string& qualifier,
            " picture;\n";
 }
 constexpr const char* store = "imageStore(picture, ivec2(0), vec4(1.0));";
-constexpr const char* change = "imageStore(picture, ivec2(0), imageLoad(picture, ivec2(1)));";
+constexpr const char* load_and_store = "imageStore(picture, ivec2(0), imageLoad(picture, ivec2(1)));";
 
 }
 
@@ -106,39 +106,39 @@ TEST_CASE("images of GLSL ES") {
               "GLSL ES 3.20: it has picture as a storage image of " + std::string(name) + formats);
     for (const char* glsl : {"rgba8", "r32f", "rgba16f", "rgba32f"})
         CHECK(refusal(language::glsl_es, 310, image(glsl, "writeonly"), store).empty());
-    CHECK(refusal(language::glsl_es, 310, image("r32f", ""), change).empty());
-    CHECK(refusal(language::glsl_es, 310, image("rgba32f", ""), change) ==
+    CHECK(refusal(language::glsl_es, 310, image("r32f", ""), load_and_store).empty());
+    CHECK(refusal(language::glsl_es, 310, image("rgba32f", ""), load_and_store) ==
           "GLSL ES 3.10: it reads and writes picture as a storage image of rgba32_float, which GLSL ES does "
           "with "
           "r32_float and r32_uint alone");
-    CHECK(refusal(language::glsl, 430, image("rgba32f", ""), change).empty());
-    CHECK(refusal(language::hlsl, 50, image("rgba32f", ""), change).empty());
+    CHECK(refusal(language::glsl, 430, image("rgba32f", ""), load_and_store).empty());
+    CHECK(refusal(language::hlsl, 50, image("rgba32f", ""), load_and_store).empty());
 }
 
 TEST_CASE("what GLSL ES 3.00 has not") {
-    const auto fragment = [](unsigned version, const std::string& declarations, const std::string& body) {
+    const auto refused = [](unsigned version, const std::string& declarations, const std::string& body) {
         return refusal(language::glsl_es, version,
                        "layout(location = 0) out highp vec4 colour;\n" + declarations, body,
                        shader_stage::fragment);
     };
     CHECK(refusal(language::glsl_es, 300, group, "") ==
           "GLSL ES 3.00: it is a compute shader, which GLSL ES has from 3.10 on");
-    CHECK(fragment(300, "layout(binding = 0) buffer kept_buffer { uint kept[]; };\n",
-                   "colour = vec4(kept[0]);") ==
+    CHECK(refused(300, "layout(binding = 0) buffer kept_buffer { uint kept[]; };\n",
+                  "colour = vec4(kept[0]);") ==
           "GLSL ES 3.00: it has kept_buffer as a storage block, which GLSL ES has from 3.10 on");
     const char* const samples = "layout(binding = 0) uniform sampler2DMS depth;\n";
     const char* const fetch = "colour = texelFetch(depth, ivec2(0), 1);";
-    CHECK(fragment(300, samples, fetch) ==
+    CHECK(refused(300, samples, fetch) ==
           "GLSL ES 3.00: it has depth as a multisampled image, which GLSL ES has from 3.10 on");
-    CHECK(fragment(310, samples, fetch).empty());
+    CHECK(refused(310, samples, fetch).empty());
     for (const char* bits :
          {"bitCount(uint(gl_FragCoord.x))", "findMSB(uint(gl_FragCoord.x))", "findLSB(uint(gl_FragCoord.x))",
           "bitfieldExtract(uint(gl_FragCoord.x), 1, 2)"}) {
         const std::string body = "colour = vec4(float(" + std::string(bits) + "));";
-        CHECK(fragment(300, "", body) ==
+        CHECK(refused(300, "", body) ==
               "GLSL ES 3.00: it counts, finds or moves bits, which GLSL ES has from 3.10 on");
-        CHECK(fragment(310, "", body).empty());
+        CHECK(refused(310, "", body).empty());
     }
-    CHECK(fragment(300, "", "gl_SampleMask[0] = 1; colour = vec4(1.0);") ==
+    CHECK(refused(300, "", "gl_SampleMask[0] = 1; colour = vec4(1.0);") ==
           "GLSL ES 3.00: it sets the sample mask, which GLSL ES has from 3.20 on, and 3.10 by an extension");
 }
