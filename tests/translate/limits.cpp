@@ -52,8 +52,8 @@ TEST_CASE("versions") {
     CHECK(refusal(language::glsl, 330, group, "") ==
           "GLSL 3.30: the versions of GLSL are 430, 440, 450, 460");
     for (const language to : {language::hlsl, language::msl, language::glsl_es, language::glsl})
-        for (const unsigned version : translate::versions_of(to))
-            CHECK(refusal(to, version, "", "", shader_stage::fragment).empty());
+        for (const unsigned each : translate::versions_of(to))
+            CHECK(refusal(to, each, "", "", shader_stage::fragment).empty());
 }
 
 TEST_CASE("subgroups") {
@@ -116,10 +116,9 @@ TEST_CASE("images of GLSL ES") {
 }
 
 TEST_CASE("what GLSL ES 3.00 has not") {
-    const auto refused = [](unsigned version, const std::string& declarations, const std::string& body) {
-        return refusal(language::glsl_es, version,
-                       "layout(location = 0) out highp vec4 colour;\n" + declarations, body,
-                       shader_stage::fragment);
+    const auto refused = [](unsigned es, const std::string& declarations, const std::string& body) {
+        return refusal(language::glsl_es, es, "layout(location = 0) out highp vec4 colour;\n" + declarations,
+                       body, shader_stage::fragment);
     };
     CHECK(refusal(language::glsl_es, 300, group, "") ==
           "GLSL ES 3.00: it is a compute shader, which GLSL ES has from 3.10 on");
