@@ -87,6 +87,16 @@ TEST_CASE("what languages do not tell") {
     CHECK(refusal(language::glsl, 430, sampled, levels).empty());
 }
 
+TEST_CASE("separate images and samplers, which only hosts have") {
+    CHECK(refusal(language::hlsl, 50,
+                  kept + "layout(binding = 1) uniform texture2D picture; layout(binding = 2) uniform sampler "
+                         "nearest;\n",
+                  "kept[0] = uint(texelFetch(sampler2D(picture, nearest), ivec2(0), 0).x);") ==
+          "HLSL 5.0: it binds picture, and what is translated binds blocks, storage images and images with "
+          "their "
+          "samplers");
+}
+
 TEST_CASE("atomic operations on images") {
     const std::string changed = image("r32ui", "", "uimage2DArray");
     const char* const least = "imageAtomicMin(picture, ivec3(0), 1u);";

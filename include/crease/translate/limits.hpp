@@ -19,7 +19,9 @@ public:
         : module_(module), uses_(uses), to_(to) {}
 
     std::string reason() const {
-        std::string found = of_subgroups();
+        std::string found = of_bindings();
+        if (found.empty())
+            found = of_subgroups();
         if (found.empty() && to_.to == language::hlsl && uses_.builtins.contains(spv::BuiltInNumWorkgroups))
             found = "asks for the number of workgroups, which HLSL does not tell";
         if (found.empty() && to_.to == language::msl)
@@ -33,6 +35,15 @@ private:
     const spirv::reflection& module_;
     const usage& uses_;
     const target& to_;
+
+    /// What crease has none of, and a host's own shader may have.
+    std::string of_bindings() const {
+        for (const spirv::bound_resource& each : module_.bindings)
+            if (each.kind == binding_kind::other)
+                return "binds " + each.name +
+                       ", and what is translated binds blocks, storage images and images with their samplers";
+        return "";
+    }
 
     std::string of_subgroups() const {
         if (std::ranges::none_of(uses_.capabilities, is_of_subgroups))
@@ -68,7 +79,7 @@ private:
             if (const std::string found = of_es_300(); !found.empty())
                 return found;
         for (const spirv::bound_resource& image : module_.bindings)
-            if (image.kind == binding_kind::storage_image)
+            if (image.kind == binding_kind::storage_image && image.texels != format::none)
                 if (const std::string found = of_es_image(image); !found.empty())
                     return found;
         return "";

@@ -35,9 +35,9 @@ constexpr std::string_view name_of(number_kind of) {
 
 /// A binding of a pass, in the numbers of its language.
 struct placed_binding {
-    std::string name; ///< of the binding, as in "depth"
-    std::string
-        identifier; ///< in the text, as in "crease_depth"; of a block in HLSL and GLSL that of the block
+    std::string name;       ///< of the binding, as in "depth"
+    std::string identifier; ///< in the text, as in "crease_depth"; of a block in HLSL and GLSL that of the
+                            ///< block; empty where the text has it not
     number_kind kind = number_kind::b_register; ///< what `number` counts
     unsigned number = 0;                        ///< register, index or unit
     unsigned space = 0;                         ///< in HLSL: register space
