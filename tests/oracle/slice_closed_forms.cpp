@@ -24,7 +24,6 @@ const char* const recipes[] = {"half_directions:1x8/single_layer/cosine_bitmask:
                                "half_directions:1x8/single_layer/visibility_bitmask",
                                "slices:3x3/single_layer/gtao",
                                "slices:3x3/single_layer/visibility_bitmask",
-                               "slices:3x3/single_layer/cosine_bitmask",
                                "directions:3x5/single_layer/cosine_bitmask",
                                "directions:4x4/single_layer/gtao"};
 
@@ -127,5 +126,4 @@ TEST_CASE("the inside of a sphere hides the share of the lobe whose chords end w
           doctest::Approx(hard).epsilon(0.04));
     CHECK(mean("half_directions:8x32/single_layer/cosine_bitmask:1x0") ==
           doctest::Approx(linear).epsilon(0.04));
-    CHECK(mean("slices:8x32/single_layer/visibility_bitmask") == doctest::Approx(hard).epsilon(0.04));
 }
