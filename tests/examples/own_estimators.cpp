@@ -167,7 +167,8 @@ TEST_CASE("front_first finds what all layers do") {
         const image all = run(layered + "/all_layers", inputs).visibility,
                     first = run(layered + "/front_first", inputs, {{"front_first.reach", 0}}).visibility;
         const comparison between = compare(first, all);
-        CHECK(between.rmse < 0.001); // where rounding puts a point into the sector beside
+        // Where rounding puts a point into the sector beside, of which there are fewer or more.
+        CHECK(between.rmse < (estimator == "cosine_bitmask" ? 0.002 : 0.001));
     }
 }
 
