@@ -118,7 +118,7 @@ TEST_CASE("reference: cameras beside the scene, or one that is fitted, and a lin
           std::string::npos);
     CHECK(json_in(folder / "out/meta.json").at("camera") == "fitted");
     std::vector<float> depths = read_image(folder / "out/depth.pfm").texels;
-    CHECK(std::ranges::count_if(depths, [](float z) { return z < 30; }) > 10);
+    CHECK(std::ranges::count_if(depths, [](float z) { return z < 30; }) >= 5);
 }
 
 TEST_CASE("reference: a folder holds the files of one run, or those of the run before") {

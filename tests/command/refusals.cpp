@@ -79,7 +79,7 @@ TEST_CASE("refuses: scenes, cameras and devices") {
                    "bench --width 8 --height 8 --rays 1 --cameras overview --cameras nowhere", false);
     expect_refusal(failure, "there is no camera 'nowhere'",
                    "render built-in --second-camera nowhere --recipe "
-                   "directions:2x2/stochastic_layers:2/hbao/second_view");
+                   "directions:2x2/stochastic_layers:2/hbao_plus/second_view");
     for (const std::string& command : {std::string("render built-in") + hbao, std::string("demo")})
         expect_refusal(failure, "no Vulkan device named 'abacus'", command + " --device abacus");
     expect_refusal(failure, "no Vulkan device named 'abacus'", "bench --device abacus", false);
@@ -125,7 +125,7 @@ TEST_CASE("refuses: numbers, with their range") {
     }
     expect_refusal(usage, "--shift: 'nan' is not a number from -10 to 10", render + " --shift 0 nan");
     expect_refusal(usage, "is not a number from 1e-38 to 1e+38", "compare a b --depth c --far nan", false);
-    expect_refusal(usage, "is not a number from 0 to 1e+06", "compare a b --diff c.png --gain nan", false);
+    expect_refusal(usage, "is not a number from 0 to 1000000", "compare a b --diff c.png --gain nan", false);
     expect_refusal(usage, "strength=nan is out of its range, 0 to 16",
                    "bench --recipes directions/single_layer/hbao@strength=nan", false);
 }

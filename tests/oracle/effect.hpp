@@ -13,7 +13,7 @@ namespace oracle {
 /// The settings of an effect, as its parts name them.
 struct settings {
     double radius = 1, bias = 0, threshold = 0, strength = 1, exponent = 1, sharpness = 8, falloff = 1,
-           plane_reach = 0.05;
+           thickness = 0, thin_occluders = 0, plane_reach = 0.05;
     std::uint32_t frame = 0;
     std::string noise = "hashed_noise"; ///< as in a recipe, e.g. "tiled_noise:3"
 };

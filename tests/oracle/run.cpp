@@ -106,6 +106,8 @@ settings settings_of(const crease::parameters& how, const crease::effect_view& e
                               {"exponent", &settings::exponent},
                               {"sharpness", &settings::sharpness},
                               {"falloff", &settings::falloff},
+                              {"thickness", &settings::thickness},
+                              {"thin_occluders", &settings::thin_occluders},
                               {"plane_reach", &settings::plane_reach}})
         for (std::size_t i = 0; i < effect.settings.size(); ++i)
             if (effect.settings[i].is(each.name))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques.hpp"
 
+#include "slices.hpp"
+
 namespace oracle {
 
 const std::vector<technique>& techniques() {
@@ -20,6 +22,30 @@ const std::vector<technique>& techniques() {
         {"poisson_disk:12", "hbao_plus",
          [](const picture& p, const receiver& r, const settings& s) {
              return hbao_plus(p, r, s, poisson_disk(p, r, s, 12));
+         }},
+        {"slices:3x4", "gtao",
+         [](const picture& p, const receiver& r, const settings& s) {
+             return gtao(p, r, s, slices(p, r, s, 3, 4));
+         }},
+        {"half_directions:3x5", "gtao",
+         [](const picture& p, const receiver& r, const settings& s) {
+             return gtao(p, r, s, half_directions(p, r, s, 3, 5));
+         }},
+        {"slices:4x3", "visibility_bitmask",
+         [](const picture& p, const receiver& r, const settings& s) {
+             return visibility_bitmask(p, r, s, slices(p, r, s, 4, 3));
+         }},
+        {"half_directions:8x4", "cosine_bitmask:0x0",
+         [](const picture& p, const receiver& r, const settings& s) {
+             return cosine_bitmask(p, r, s, half_directions(p, r, s, 8, 4), false, false);
+         }},
+        {"half_directions:2x8", "cosine_bitmask:1x1",
+         [](const picture& p, const receiver& r, const settings& s) {
+             return cosine_bitmask(p, r, s, half_directions(p, r, s, 2, 8), true, true);
+         }},
+        {"slices:3x6x3", "cosine_bitmask:0x1",
+         [](const picture& p, const receiver& r, const settings& s) {
+             return cosine_bitmask(p, r, s, slices(p, r, s, 3, 6, 3), false, true);
          }},
     };
     return all;

@@ -5,7 +5,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 file(REMOVE_RECURSE ${BUILD})
 set(nothing "")
-foreach(package assimp Boost CLI11 doctest Doxygen embree fmt glm glslang nlohmann_json OpenEXR PkgConfig PNG Python3
+foreach(package Boost CLI11 doctest Doxygen embree fmt glm glslang nlohmann_json OpenEXR PkgConfig PNG Python3
                 SPIRV-Headers SPIRV-Tools-opt Threads Vulkan spirv_cross_core spirv_cross_glsl spirv_cross_hlsl
                 spirv_cross_msl)
     list(APPEND nothing -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)

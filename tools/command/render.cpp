@@ -105,9 +105,9 @@ void run(const render_options& options) {
     vulkan::device device({.name = options.device, .validation = options.validation});
     const recipe chosen = supported(device, seen_by(from, wanted));
     const gbuffer inputs = rasterise(device, scene, from, options.guard, options.depth);
-    check_sight(from, inputs.depth);
     const std::unique_ptr<prepared_effect> effect[] = {
         std::make_unique<prepared_effect>(device, chosen, inputs, how)};
+    check_sight(from, inputs.depth);
     effect[0]->run();
     const frame made = effect[0]->picture(); // before timed runs fill histories
     const frame_times times = take_turns(effect, timed_runs)[0];

@@ -46,11 +46,12 @@ uint crease_visibility_bitmask_from(crease_march march, crease_receiver receiver
 crease_contribution crease_weigh(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer layer) {
     vec3 to_layer = layer.position - receiver.position, back = -crease_to_eye(layer.position);
     float middle = -dot(to_layer, back); // of the sphere, from the front back
-    float squared = crease_radius * crease_radius - dot(to_layer, to_layer) + middle * middle;
-    float inside = sqrt(max(squared, 0.0));
+    float apart = dot(to_layer, to_layer);
+    float inside = sqrt(max(crease_radius * crease_radius - apart + middle * middle, 0.0));
     float first = max(middle - inside, 0.0);
     float last = min(middle + inside, crease_visibility_bitmask_thickness * crease_radius);
-    if (!tap.inside || !(first < last))
+    bool counts = tap.inside && apart > 0.0; // at the picture's edge a tap may find the receiver
+    if (!counts || !(first < last))
         return crease_contribution(0u);
     return crease_contribution(crease_visibility_bitmask_from(march, receiver, to_layer + first * back) &
                                ~crease_visibility_bitmask_from(march, receiver, to_layer + last * back));

@@ -55,7 +55,7 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     vec2 texel = floor(pattern.first + pattern.march * (along * density));
     float distance = pattern.share * pow(along / float(crease_directions_steps), float(crease_directions_power));
     return crease_tap(texel, crease_inside(texel), pattern.share * density, distance,
-                      float(crease_directions_power) / along);
+                      float(crease_directions_power) / max(along, 1e-4));
 }
 
 float crease_tap_spacing(crease_pattern pattern, crease_receiver receiver, int step) {
