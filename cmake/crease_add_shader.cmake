@@ -3,18 +3,19 @@ include_guard()
 
 # crease_add_shader(<target> [RECIPE] <recipe> [STAGE compute|fragment] [DIALECT vulkan|opengl]
 #                   [SHAPE program|functions] [FORMAT header|spirv|spirv-asm|glsl] [NAME <name>]
+#                   [TARGET hlsl|msl|glsl-es|glsl|spirv] [TARGET_VERSION <version>]
 #                   [OPTIMISE speed|size] [STRIP] [TARGET_ENV vulkan1.0|vulkan1.1|vulkan1.2|vulkan1.3])
 #
 # Makes the shaders of a recipe while <target> is built, each call by a build step of its own. With FORMAT header, the
-# default, <target> can `#include <NAME.hpp>`, which includes headers of crease; with the others the files lie in NAME/
-# below the same include directory. NAME, by default `shader`, is an identifier that names the header, its namespace
+# default, <target> can `#include <NAME.hpp>`, which includes headers of crease; with the others, and with TARGET, another
+# language, the files lie in NAME/ below the same include directory. NAME, by default `shader`, is an identifier that names the header, its namespace
 # and the manifest NAME.json, which docs/manifest.md describes. What is not said is as the recipe says. The options of
 # SPIR-V are those of crease_emit.
 #
 # Where crease is part of the build, crease_emit is built for the first call; else it comes with the installed package.
 function(crease_add_shader target)
-    set(choices STAGE DIALECT SHAPE FORMAT OPTIMISE TARGET_ENV)
-    cmake_parse_arguments(PARSE_ARGV 1 arg STRIP "RECIPE;NAME;${choices}" "")
+    set(choices STAGE DIALECT SHAPE FORMAT TARGET OPTIMISE TARGET_ENV)
+    cmake_parse_arguments(PARSE_ARGV 1 arg STRIP "RECIPE;NAME;TARGET_VERSION;${choices}" "")
     if(NOT TARGET ${target})
         message(FATAL_ERROR "crease_add_shader: there is no target '${target}'")
     endif()
@@ -33,7 +34,10 @@ function(crease_add_shader target)
     if(NOT DEFINED arg_NAME)
         set(arg_NAME shader)
     endif()
-    if(NOT DEFINED arg_FORMAT)
+    if(DEFINED arg_TARGET AND DEFINED arg_FORMAT)
+        message(FATAL_ERROR "crease_add_shader: TARGET and FORMAT exclude each other: leave one out")
+    endif()
+    if(NOT DEFINED arg_FORMAT AND NOT DEFINED arg_TARGET)
         set(arg_FORMAT header)
     endif()
     crease_check_name(${target} "${arg_NAME}")
@@ -41,6 +45,7 @@ function(crease_add_shader target)
     set(DIALECT_words vulkan opengl)
     set(SHAPE_words program functions)
     set(FORMAT_words header spirv spirv-asm glsl)
+    set(TARGET_words hlsl msl glsl-es glsl spirv)
     set(OPTIMISE_words speed size)
     set(TARGET_ENV_words vulkan1.0 vulkan1.1 vulkan1.2 vulkan1.3)
     set(options "")
@@ -56,6 +61,9 @@ function(crease_add_shader target)
         string(REPLACE _ - option ${option})
         list(APPEND options ${option} ${arg_${choice}})
     endforeach()
+    if(DEFINED arg_TARGET_VERSION)
+        list(APPEND options --target-version ${arg_TARGET_VERSION})
+    endif()
     if(arg_STRIP)
         list(APPEND options --strip)
     endif()
@@ -65,7 +73,7 @@ function(crease_add_shader target)
 
     # A directory for each name, so that a header of a name that is no longer used is not found.
     set(directory ${CMAKE_CURRENT_BINARY_DIR}/crease_shaders/${target}/${arg_NAME})
-    if(arg_FORMAT STREQUAL header)
+    if(DEFINED arg_FORMAT AND arg_FORMAT STREQUAL header)
         set(destination ${directory})
         set(header ${directory}/${arg_NAME}.hpp)
     else()

@@ -13,6 +13,7 @@ endfunction()
 
 crease_install_target(crease core FILE_SET HEADERS FILE_SET templates)
 crease_install_target(crease_spirv spirv FILE_SET HEADERS)
+crease_install_target(crease_translate translate FILE_SET HEADERS)
 crease_install_target(crease_vulkan vulkan FILE_SET HEADERS)
 if(TARGET crease_emit)
     set_target_properties(crease_emit PROPERTIES EXPORT_NAME emit)

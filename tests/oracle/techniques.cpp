@@ -35,9 +35,9 @@ const std::vector<technique>& techniques() {
          [](const picture& p, const receiver& r, const settings& s) {
              return visibility_bitmask(p, r, s, slices(p, r, s, 4, 3));
          }},
-        {"half_directions:4x5", "cosine_bitmask:0x0",
+        {"half_directions:8x4", "cosine_bitmask:0x0",
          [](const picture& p, const receiver& r, const settings& s) {
-             return cosine_bitmask(p, r, s, half_directions(p, r, s, 4, 5), false, false);
+             return cosine_bitmask(p, r, s, half_directions(p, r, s, 8, 4), false, false);
          }},
         {"half_directions:2x8", "cosine_bitmask:1x1",
          [](const picture& p, const receiver& r, const settings& s) {

@@ -6,13 +6,14 @@ include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 file(REMOVE_RECURSE ${BUILD})
 set(nothing "")
 foreach(package Boost CLI11 doctest Doxygen embree fmt glm glslang nlohmann_json OpenEXR PkgConfig PNG Python3
-                SPIRV-Headers SPIRV-Tools-opt Threads Vulkan)
+                SPIRV-Headers SPIRV-Tools-opt Threads Vulkan spirv_cross_core spirv_cross_glsl spirv_cross_hlsl
+                spirv_cross_msl)
     list(APPEND nothing -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 set(configure ${CMAKE_COMMAND} -G ${GENERATOR} -D CMAKE_CXX_COMPILER=${COMPILER} ${nothing})
 
 run(${configure} -S ${ROOT} -B ${BUILD}/all)
-foreach(part SPIRV VULKAN EMIT TOOLS TESTS)
+foreach(part SPIRV TRANSLATE VULKAN EMIT TOOLS TESTS)
     string(REGEX MATCHALL "crease: CREASE_${part} is off, as it needs [^\n]+" lines "${run_output}")
     list(LENGTH lines count)
     if(NOT count EQUAL 1)

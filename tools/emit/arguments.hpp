@@ -56,6 +56,21 @@ inline void add_emit_arguments(CLI::App& command, emit_options& options) {
          {"spirv-asm", emit_format::spirv_asm},
          {"header", emit_format::header}},
         true, [&options](emit_format format) { options.formats.insert(format); });
+    using translate::language;
+    add_choice<std::optional<language>>(command, "--target", "another language, in place of --format",
+                                        {{"hlsl", language::hlsl},
+                                         {"msl", language::msl},
+                                         {"glsl-es", language::glsl_es},
+                                         {"glsl", language::glsl},
+                                         {"spirv", std::nullopt}},
+                                        false, [&options](std::optional<language> to) {
+                                            options.target = to;
+                                            if (!to)
+                                                options.formats.insert(emit_format::spirv);
+                                        });
+    command.add_option("--target-version", options.target_version,
+                       "of the language: 50, 51, 60 of HLSL; 21 (for 2.1) to 30 of MSL; 300, 310, 320 of "
+                       "GLSL ES; 430 to 460 of GLSL; else 50, 21, 310, 430");
     add_choice<spirv::goal>(command, "--optimise", "SPIR-V by SPIRV-Tools",
                             {{"speed", spirv::goal::speed}, {"size", spirv::goal::size}}, false,
                             [&options](spirv::goal aim) { options.spirv.optimise = aim; });

@@ -3,6 +3,7 @@
 
 #include <crease/effect/effect_view.hpp>
 #include <crease/spirv/optimise.hpp>
+#include <crease/translate/translation.hpp>
 
 #include <optional>
 #include <string>
@@ -23,9 +24,10 @@ struct spirv_options {
 /// A shader of a pass among the files: what the manifest says of it.
 struct emitted_shader {
     std::string_view stage; ///< "compute", "fragment", "vertex", or "functions" and "geometry" without `main`
-    std::string_view format; ///< "glsl", "spirv" or "spirv-asm"
+    std::string_view format; ///< "glsl", "spirv", "spirv-asm", "hlsl", "msl" or "glsl-es"
     std::string file;
-    std::string symbol; ///< in a C++ header; empty elsewhere
+    std::string symbol{};                                ///< in a C++ header; empty elsewhere
+    std::optional<translate::translation> translation{}; ///< where it is one
 };
 
 /// A pass on its way into files.

@@ -7,6 +7,7 @@
 #include "image/file_set.hpp"
 #include "manifest.hpp"
 #include "name.hpp"
+#include "translated.hpp"
 
 #include <crease/compose/composition.hpp>
 #include <crease/spirv/disassemble.hpp>
@@ -77,12 +78,44 @@ void add_shaders(std::vector<file>& files, emission& of, emit_format format) {
     }
 }
 
+/// Adds a file for each shader in another language; of the functions of a geometry pass its GLSL.
+void add_translations(std::vector<file>& files, emission& of, const translate::target& to) {
+    constexpr const char* extensions[] = {".hlsl", ".metal", "", ""};
+    const char* const extension_of_language = extensions[static_cast<int>(to.to)];
+    const auto add = [&](std::size_t i, std::string_view stage, const std::string& name,
+                         translate::translation made) {
+        if (std::ranges::find(files, name, &file::name) == files.end())
+            files.push_back({name, made.text});
+        of.passes[i].shaders.push_back({stage, word_of(to.to), name, {}, std::move(made)});
+    };
+    for (std::size_t i = 0; i < of.passes.size(); ++i) {
+        const pass& p = of.effect.passes[i];
+        const std::string stem = fmt::format("{}_{}.{}", i, p.name, extension(p));
+        if (p.stage == stage_kind::geometry) {
+            files.push_back({stem, joined(p.pieces)});
+            of.passes[i].shaders.push_back({name_of(p.stage), "glsl", stem});
+            continue;
+        }
+        add(i, name_of(p.stage), stem + extension_of_language, translated(of.effect, p, to));
+        if (p.vertex_pieces.empty())
+            continue;
+        translate::target vertex = to; // one file for all passes, so one name
+        if (to.to == translate::language::msl)
+            vertex.entry_point = "fullscreen_vertex";
+        add(i, "vertex", std::string("fullscreen.vert") + extension_of_language,
+            translated_vertex(of.effect, p, vertex));
+    }
+}
+
 constexpr bool is_without_spirv(const pass& p) {
     return p.stage == stage_kind::functions || p.dialect == dialect_kind::opengl;
 }
 
-std::vector<file> files_of(emission& of, const std::set<emit_format>& formats) {
+std::vector<file> files_of(emission& of, const std::set<emit_format>& formats,
+                           const std::optional<translate::target>& to) {
     std::vector<file> files;
+    if (to)
+        add_translations(files, of, *to);
     for (emit_format format : formats)
         if (format == emit_format::header)
             files.push_back({of.name + ".hpp", header(of)});
@@ -95,15 +128,29 @@ std::vector<file> files_of(emission& of, const std::set<emit_format>& formats) {
     return files;
 }
 
+/// What the options say of another language.
+std::optional<translate::target> target_of(const emit_options& options) {
+    if (options.target_version && !options.target)
+        throw std::runtime_error("--target-version is of a language: say with --target which");
+    if (!options.target)
+        return std::nullopt;
+    if (!options.formats.empty())
+        throw std::runtime_error("--target and --format exclude each other: leave one out");
+    constexpr unsigned least[] = {50, 21, 310, 430};
+    return translate::target{.to = *options.target,
+                             .version =
+                                 options.target_version.value_or(least[static_cast<int>(*options.target)])};
+}
+
 void expect_spirv(const emit_options& options, const effect_view& effect) {
-    const bool is_asked_for =
-        options.formats.contains(emit_format::spirv) || options.formats.contains(emit_format::spirv_asm);
+    const bool is_asked_for = options.target || options.formats.contains(emit_format::spirv) ||
+                              options.formats.contains(emit_format::spirv_asm);
     if (is_asked_for && std::ranges::any_of(effect.passes, is_without_spirv))
         throw std::runtime_error(
-            "SPIR-V can be emitted of programs in the vulkan dialect only: functions and the "
-            "opengl dialect come as GLSL, by --format glsl or header");
-    const bool makes_spirv =
-        options.formats != std::set{emit_format::glsl} && std::ranges::any_of(effect.passes, has_spirv);
+            "SPIR-V, and what is made of it, can be emitted of programs in the vulkan dialect only: "
+            "functions and the opengl dialect come as GLSL, by --format glsl or header");
+    const bool makes_spirv = !options.target && options.formats != std::set{emit_format::glsl} &&
+                             std::ranges::any_of(effect.passes, has_spirv);
     if (options.spirv.any() && !makes_spirv)
         throw std::runtime_error(
             "--optimise, --strip and --target-env are of SPIR-V, and none is made here: take "
@@ -136,16 +183,17 @@ recipe composed_recipe(const emit_options& options) {
 
 std::vector<std::filesystem::path> emit(emit_options options) {
     expect_name(options.name);
-    if (options.formats.empty())
+    const std::optional<translate::target> to = target_of(options);
+    if (options.formats.empty() && !to)
         options.formats = {emit_format::glsl};
     const auto composed = std::make_unique<composition>(composed_recipe(options));
     if (!*composed)
         throw std::runtime_error(std::string(composed->error()));
     const effect_view effect = composed->view();
     expect_spirv(options, effect);
-    const bool with_spirv = options.formats != std::set{emit_format::glsl};
+    const bool with_spirv = !to && options.formats != std::set{emit_format::glsl};
     emission made{effect, options.name, options.spirv, prepare(effect, with_spirv, options.spirv)};
-    const std::vector<file> files = files_of(made, options.formats);
+    const std::vector<file> files = files_of(made, options.formats, to);
 
     std::vector<std::string> names;
     for (const file& each : files)

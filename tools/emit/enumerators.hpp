@@ -3,6 +3,7 @@
 
 #include <crease/effect/pass.hpp>
 #include <crease/effect/resource.hpp>
+#include <crease/translate/target.hpp>
 
 #include <string_view>
 
@@ -34,6 +35,12 @@ constexpr std::string_view name_of(access how) {
 constexpr std::string_view name_of(resource_kind kind) {
     constexpr std::string_view names[] = {"image", "buffer", "block"};
     return names[static_cast<unsigned>(kind)];
+}
+
+/// As `--target` and manifests say it.
+constexpr std::string_view word_of(translate::language of) {
+    constexpr std::string_view words[] = {"hlsl", "msl", "glsl-es", "glsl"};
+    return words[static_cast<unsigned>(of)];
 }
 
 constexpr std::string_view name_of(lifetime life) {

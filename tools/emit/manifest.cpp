@@ -33,11 +33,33 @@ ordered_json size_of(const extent& size) {
     return {{"divisor", size.divisor}, {"guarded", size.guarded}};
 }
 
+/// What a translation places otherwise than the pass says.
+void add_translation(ordered_json& told, const translate::translation& made) {
+    told["version"] = made.made_for.version;
+    told["entry_point"] = made.entry_point;
+    told["bindings"] = ordered_json::array();
+    for (const translate::placed_binding& b : made.bindings) {
+        ordered_json& placed = told["bindings"].emplace_back(ordered_json{
+            {"name", b.name}, {"identifier", b.identifier}, {"kind", name_of(b.kind)}, {"number", b.number}});
+        if (b.sampler)
+            placed["sampler"] = *b.sampler;
+    }
+    told["constants"] = ordered_json::array();
+    for (const translate::placed_constant& c : made.constants) {
+        ordered_json& placed = told["constants"].emplace_back(
+            ordered_json{{"id", c.id}, {"part", c.part}, {"number", c.number}, {"value", c.value}});
+        if (!c.macro.empty())
+            placed["macro"] = c.macro;
+    }
+}
+
 ordered_json shader_of(const emitted_shader& shader, const emission& of) {
     ordered_json told{{"format", shader.format}, {"stage", shader.stage}, {"file", shader.file}};
     if (!shader.symbol.empty())
         told["symbol"] = shader.symbol;
-    if (shader.format != "glsl")
+    if (shader.translation)
+        add_translation(told, *shader.translation);
+    else if (shader.format != "glsl")
         told["environment"] = fmt::format("vulkan{}", spirv::name_of(of.spirv.version()));
     return told;
 }

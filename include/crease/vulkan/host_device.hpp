@@ -11,9 +11,9 @@ namespace crease::vulkan {
 /// A device of a host's own, which crease uses and does not destroy. What it was made with Vulkan does not
 /// tell, so the host says it.
 struct host_device {
-    VkPhysicalDevice physical = VK_NULL_HANDLE;
-    VkDevice handle = VK_NULL_HANDLE;
-    VkQueue queue = VK_NULL_HANDLE;
+    VkPhysicalDevice physical = VK_NULL_HANDLE;     ///< the physical device
+    VkDevice handle = VK_NULL_HANDLE;               ///< the logical device
+    VkQueue queue = VK_NULL_HANDLE;                 ///< that crease submits to
     std::uint32_t queue_family = 0;                 ///< of the queue; with graphics and compute
     std::uint32_t api_version = VK_API_VERSION_1_0; ///< of its instance, as VkApplicationInfo says
     VkPhysicalDeviceFeatures features{};            ///< that were enabled

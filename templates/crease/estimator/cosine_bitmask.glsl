@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
 vec3 crease_view_position(vec2 texel, float depth);
+float crease_depth_rounding(float depth);
 float crease_slice_weight(float share);
 #else
 __LINE__, R"glsl("
@@ -63,7 +64,8 @@ crease_march crease_begin_direction(crease_estimate estimate, crease_receiver re
     crease_march march;
     march.height = receiver.normal * (towards.x * inverse);
     march.along = azimuth - receiver.normal * (towards.y * inverse);
-    march.bias = -1e-5 * receiver.position.z;
+    float depth = -receiver.position.z;
+    march.bias = (1e-5 * depth + crease_depth_rounding(depth)) * (towards.x * inverse);
     march.reach = 1.0 / (max(crease_radius, 1e-20) * max(towards.x, 1e-6));
     march.constant = vec2(each.x + each.y * 1.57079633 + 0.5); // rounds
     march.linear = vec2(-2.0 * each.y);

@@ -29,11 +29,11 @@ float crease_slice_weight(float share) { return 1.0; }
 
 vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver receiver, int direction) {
     float angle = (pattern.noise.x + float(direction)) * (6.28318531 / float(crease_half_directions_count));
-    float height = fract(pattern.noise.z + 0.61803399 * float(direction)); // along the ray to the eye, on either side
+    float height = pattern.noise.z; // along the way to the eye, on either side
     vec2 across = pattern.on_disk + sqrt(1.0 - height * height) * vec2(cos(angle), sin(angle));
     across *= inversesqrt(max(dot(across, across), 1e-12));
-    float offset = fract(pattern.noise.y + 0.61803399 * float(direction + 1));
-    pattern.march = crease_stepped_march_begin(receiver, across, offset);
+    pattern.noise.yz = fract(pattern.noise.yz + 0.61803399);
+    pattern.march = crease_stepped_march_begin(receiver, across, pattern.noise.y);
     return across;
 }
 

@@ -27,8 +27,8 @@ vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver rece
     float slice = float(direction / 2);
     float angle = (pattern.noise.x + slice) * (3.14159265 / float(crease_slices_count));
     pattern.azimuth = direction % 2 == 1 ? -pattern.azimuth : vec2(cos(angle), sin(angle));
-    float offset = fract(pattern.noise.y + 0.61803399 * (slice + 1.0));
-    pattern.march = crease_stepped_march_begin(receiver, pattern.azimuth, offset);
+    pattern.noise.y = direction % 2 == 1 ? pattern.noise.y : fract(pattern.noise.y + 0.61803399);
+    pattern.march = crease_stepped_march_begin(receiver, pattern.azimuth, pattern.noise.y);
     return pattern.azimuth;
 }
 

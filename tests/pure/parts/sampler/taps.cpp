@@ -8,7 +8,7 @@ namespace {
 using namespace crease;
 
 constexpr const trait* kinds_of_taps[] = {&screen_taps::value, &point_taps::value, &line_taps::value,
-                                          &window_taps::value, &area_taps::value};
+                                          &window_taps::value, &area_taps::value,  &slice_taps::value};
 
 }
 
