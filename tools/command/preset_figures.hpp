@@ -17,10 +17,8 @@ struct preset_figures {
 };
 
 inline constexpr preset_figures measured_presets[] = {
-    {"low", 0.0840, 0.0614, 0.857, 0.32},
-    {"medium", 0.0712, 0.0487, 0.907, 0.74},
-    {"high", 0.0661, 0.0455, 0.915, 1.22},
-    {"ultra", 0.0644, 0.0446, 0.926, 1.49},
+    {"low", 0.0840, 0.0614, 0.857, 0.32},          {"medium", 0.0712, 0.0487, 0.907, 0.74},
+    {"high", 0.0661, 0.0455, 0.915, 1.22},         {"ultra", 0.0644, 0.0446, 0.926, 1.49},
     {"ultra_layers", 0.0527, 0.0420, 0.925, 8.11}, // with a guard band of a tenth of the width
 };
 
