@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// The presets, from the least time to the least error, as `crease tune` and docs/benchmarks.md found them.
+// The presets, from the least time to the least error; docs/benchmarks.md measures them.
 //
 // To add one: a struct here with its `parts` and its `description`, and a line in the index below. A preset
 // of a host's own is the same struct in its own file.
