@@ -63,7 +63,7 @@ struct part {
 };
 
 /// The most numbers that a part may take.
-inline constexpr std::size_t most_numbers = 4;
+inline constexpr std::size_t most_numbers = 5;
 
 /// A part with its numbers: what a template argument of `effect` or a word of a recipe comes down to.
 struct choice {

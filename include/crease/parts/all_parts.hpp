@@ -11,6 +11,8 @@
 #include <crease/parts/coverage/simple_hash.hpp>
 #include <crease/parts/coverage/stratified.hpp>
 #include <crease/parts/depth/depth_pyramid.hpp>
+#include <crease/parts/depth/layer_array.hpp>
+#include <crease/parts/depth/linked_lists.hpp>
 #include <crease/parts/depth/mip_chain.hpp>
 #include <crease/parts/depth/n_buffer.hpp>
 #include <crease/parts/depth/single_layer.hpp>
@@ -100,6 +102,8 @@ inline constexpr const part* all_parts[] = {
     &box_area_part::description,
     &single_layer::description,
     &stochastic_layers_part::description,
+    &layer_array_part::description,
+    &linked_lists_part::description,
     &summed_area_part::description,
     &summed_area_uniform_part::description,
     &summed_area_adaptive_part::description,
