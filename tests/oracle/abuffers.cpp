@@ -164,6 +164,26 @@ TEST_CASE("a layer array holds the nearest fragments in order, with their sides,
         }
 }
 
+TEST_CASE("peeling and lists agree exactly, but that peeling keeps one of equal fragments") {
+    for (const scene& each : scenes()) {
+        CAPTURE(each.name);
+        for (std::size_t layers : {1u, 3u, 8u}) {
+            CAPTURE(layers);
+            oracle::fragment_capture peeled(packing("peeled_layers:" + std::to_string(layers)), width,
+                                            height);
+            oracle::fragment_capture whole(packing("linked_lists:1x64"), width, height);
+            peeled.draw(each.drawn);
+            whole.draw(each.drawn);
+            lists expected = whole.listed();
+            for (std::vector<fragment>& list : expected) {
+                list.erase(std::unique(list.begin(), list.end()), list.end());
+                list.resize(std::min(list.size(), layers));
+            }
+            CHECK(peeled.packed(layers) == expected);
+        }
+    }
+}
+
 TEST_CASE("a pool of any size loses no nearest fragment, corrupts no list and counts what it lost") {
     const oracle::triangles drawn = oracle::soup(80, 5);
     const oracle::fragment_lists all = oracle::rasterise(drawn, lens::standard, width, height);
@@ -221,6 +241,9 @@ TEST_CASE("all sources give the same occlusion for the same fragments, with ever
                     visibility("directions:2x4/layer_array:" + layers + rest, drawn);
                 CHECK(of_array == visibility("directions:2x4/linked_lists:" + layers + "x64" + rest, drawn));
                 CHECK(of_array != single);
+                if (layers == "2") {
+                    CHECK(of_array == visibility("directions:2x4/peeled_layers:2" + rest, drawn));
+                }
             }
     }
 }

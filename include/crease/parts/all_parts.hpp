@@ -15,6 +15,7 @@
 #include <crease/parts/depth/linked_lists.hpp>
 #include <crease/parts/depth/mip_chain.hpp>
 #include <crease/parts/depth/n_buffer.hpp>
+#include <crease/parts/depth/peeled_layers.hpp>
 #include <crease/parts/depth/single_layer.hpp>
 #include <crease/parts/depth/stochastic_layers.hpp>
 #include <crease/parts/depth/summed_area.hpp>
@@ -104,6 +105,7 @@ inline constexpr const part* all_parts[] = {
     &stochastic_layers_part::description,
     &layer_array_part::description,
     &linked_lists_part::description,
+    &peeled_layers_part::description,
     &summed_area_part::description,
     &summed_area_uniform_part::description,
     &summed_area_adaptive_part::description,

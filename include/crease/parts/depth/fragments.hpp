@@ -20,6 +20,11 @@ inline constexpr glsl_file pack_fragments_glsl{
 #include <crease/depth/pack_fragments.glsl>
 };
 
+inline constexpr glsl_file sorted_fragments_glsl{
+    "depth/sorted_fragments.glsl",
+#include <crease/depth/sorted_fragments.glsl>
+};
+
 inline constexpr glsl_file sided_layers_glsl{
     "depth/sided_layers.glsl",
 #include <crease/depth/sided_layers.glsl>
@@ -28,6 +33,22 @@ inline constexpr glsl_file sided_layers_glsl{
 /// How many of the nearest fragments of a texel a depth source packs.
 inline constexpr number fragment_layers_number{"layers", 1, 32, 8,
                                                "layers of a texel that are kept, the nearest"};
+
+/// As many layers as the first number of the depth source says.
+constexpr void shape_fragment_layers(resource& own, const shape_of& effect) {
+    own.layers = static_cast<unsigned>(effect.own.numbers[0]);
+}
+
+/// An array image of the nearest fragments of each texel, sorted.
+inline constexpr resource fragment_layers{.name = "fragment_layers",
+                                          .texels = format::r32_uint,
+                                          .life = lifetime::transient,
+                                          .size = {.guarded = true},
+                                          .arrayed = true,
+                                          .read = access::load,
+                                          .cleared = true,
+                                          .clear = ~0u,
+                                          .shape = shape_fragment_layers};
 
 /// A counter that is read back after each frame; where it is not 0 the host has something to do.
 constexpr resource fragments_lost(std::string_view name, std::string_view meaning) {

@@ -16,31 +16,13 @@ inline constexpr glsl_file layer_array_draw_glsl{
 #include <crease/depth/layer_array_draw.glsl>
 };
 
-inline constexpr glsl_file layer_array_sort_glsl{
-    "depth/layer_array_sort.glsl",
-#include <crease/depth/layer_array_sort.glsl>
-};
-
 struct layer_array_part {
     static constexpr number takes[] = {fragment_layers_number, capture_places[0], capture_places[1],
                                        capture_places[2]};
-    static constexpr void shape_fragments(resource& own, const shape_of& effect) {
-        own.layers = static_cast<unsigned>(effect.own.numbers[0]);
-    }
-    static constexpr resource owns[] = {{.name = "fragment_layers",
-                                         .texels = format::r32_uint,
-                                         .life = lifetime::transient,
-                                         .size = {.guarded = true},
-                                         .arrayed = true,
-                                         .read = access::load,
-                                         .cleared = true,
-                                         .clear = ~0u,
-                                         .shape = shape_fragments},
-                                        fragments_beyond_layers,
-                                        packed_layers};
+    static constexpr resource owns[] = {fragment_layers, fragments_beyond_layers, packed_layers};
     static constexpr const glsl_file* drawing[] = {&layer_array_draw_glsl, &fragment_key_glsl,
                                                    &fragments_glsl};
-    static constexpr const glsl_file* packing[] = {&pack_fragments_glsl, &layer_array_sort_glsl,
+    static constexpr const glsl_file* packing[] = {&pack_fragments_glsl, &sorted_fragments_glsl,
                                                    &fragments_glsl};
     static constexpr std::string_view drawn[] = {"fragment_layers", "fragments_beyond_layers"};
     static constexpr step passes[] = {

@@ -3,7 +3,7 @@
 __LINE__, R"glsl("
 #endif
 
-// They were sorted as they came.
+// Of an array image in which they are sorted.
 crease_fragments crease_sorted_fragments(ivec2 texel) {
     crease_fragments sorted;
     crease_unroll for (int i = 0; i < crease_most_layers; ++i)
