@@ -188,3 +188,25 @@ TEST_CASE("render: a run that fails leaves the folder as it was, and one that en
     expect_success(render + "2");
     CHECK(content_of(folder / "out/ao.pfm") != before);
 }
+
+TEST_CASE("render: what a bounded depth source lost is a warning that says what to do") {
+    const scene_files scene(true);
+    const temporary_folder folder;
+    const auto complained = [&](const std::string& source) {
+        const ended run =
+            crease_command("render " + scene.arguments() + " --validation --recipe directions:2x4/" + source +
+                           "/hbao -o '" + (folder / source).string() + "'");
+        CHECK(run.status == 0);
+        CHECK(std::filesystem::exists(folder / source / "ao.pfm"));
+        return run.complained;
+    };
+    for (const std::string source : {"layer_array:1", "linked_lists:1x1"}) {
+        const std::string said = complained(source);
+        CAPTURE(said);
+        CHECK(said.starts_with("crease: warning: "));
+        CHECK(said.ends_with(
+            " fragments that lie behind the layers kept of their texel: more layers keep them\n"));
+    }
+    CHECK(complained("layer_array:4") == "");
+    CHECK(complained("linked_lists:4x1") == "");
+}

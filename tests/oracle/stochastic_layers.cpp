@@ -98,28 +98,32 @@ TEST_CASE("every estimator combines all layers of a tap by the greatest") {
         }
 }
 
-TEST_CASE("layers after the eighth count too, to the last sample") {
-    // Half planes that stand behind one another, each a step further to the left than the one before it.
-    std::vector<oracle::surface> stairs;
-    for (int i = 0; i < 12; ++i)
-        stairs.push_back(
-            {oracle::surface::kind::half_plane, {1.2 - 0.25 * i, 0, -2.5 - 0.25 * i}, {0, 0, 1}});
-    const oracle::picture p = oracle::draw_all(stairs, lens::standard, 97, 61);
-    for (const technique& t : techniques())
-        for (const std::string traversal : {"", "/front_first:0"}) {
-            CAPTURE(t.estimator);
-            CAPTURE(traversal);
-            const auto composed =
-                compose(t.sampler + "/stochastic_layers:12/" + t.estimator + "/atomic_minimum" + traversal);
-            crease::parameters how = oracle::view_parameters(p, composed->view(), 0.8);
-            if (!traversal.empty())
-                oracle::set(how, *composed, "reach", 0);
-            const oracle::settings s = oracle::settings_of(how, *composed);
-            const auto expected = oracle::main_pass(
-                p, s, 1, false, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });
-            oracle::check_within(oracle::compare(run_with_all(p, composed->view(), how, 12), expected),
-                                 oracle::of_rounding);
-        }
+TEST_CASE("layers after the eighth and beyond the sixteenth count too, to the last sample") {
+    for (const unsigned count : {12u, 20u}) {
+        CAPTURE(count);
+        // Half planes that stand behind one another, each a step further to the left than the one before it.
+        std::vector<oracle::surface> stairs;
+        for (unsigned i = 0; i < count; ++i)
+            stairs.push_back({oracle::surface::kind::half_plane,
+                              {1.2 - 3.0 / count * i, 0, -2.5 - 3.0 / count * i},
+                              {0, 0, 1}});
+        const oracle::picture p = oracle::draw_all(stairs, lens::standard, 97, 61);
+        for (const technique& t : techniques())
+            for (const std::string traversal : {"", "/front_first:0"}) {
+                CAPTURE(t.estimator);
+                CAPTURE(traversal);
+                const auto composed = compose(t.sampler + "/stochastic_layers:" + std::to_string(count) +
+                                              "/" + t.estimator + "/atomic_minimum" + traversal);
+                crease::parameters how = oracle::view_parameters(p, composed->view(), 0.8);
+                if (!traversal.empty())
+                    oracle::set(how, *composed, "reach", 0);
+                const oracle::settings s = oracle::settings_of(how, *composed);
+                const auto expected = oracle::main_pass(
+                    p, s, 1, false, [&](const oracle::receiver& r) { return t.occlusion(p, r, s); });
+                oracle::check_within(oracle::compare(run_with_all(p, composed->view(), how, count), expected),
+                                     oracle::of_rounding);
+            }
+    }
 }
 
 TEST_CASE(

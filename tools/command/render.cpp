@@ -110,6 +110,8 @@ void run(const render_options& options) {
     check_sight(from, inputs.depth);
     effect[0]->run();
     const frame made = effect[0]->picture(); // before timed runs fill histories
+    for (const reported_count& each : effect[0]->reports())
+        fmt::print(stderr, "crease: warning: {} {}\n", each.count, each.meaning);
     const frame_times times = take_turns(effect, timed_runs)[0];
     result_files files(options.directory);
     write_pfm(files.add("ao.pfm"), made.visibility);

@@ -61,6 +61,12 @@ struct frame {
     frame_times times;               ///< medians over the repeats
 };
 
+/// A counter that an effect reports, and that is not 0.
+struct reported_count {
+    std::uint32_t count;
+    std::string meaning; ///< of what, and what to do about it
+};
+
 struct frame_options {
     float radius = 1;                      ///< world space, >= 0
     std::map<std::string, float> settings; ///< by the names that the effect's parts give them, "bias" or
@@ -101,6 +107,9 @@ public:
 
     /// What the last run made, without times.
     frame picture();
+
+    /// What the last run counted that should not be.
+    std::vector<reported_count> reports() const;
 
 private:
     const gbuffer& inputs_;

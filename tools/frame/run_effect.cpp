@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <span>
 
@@ -227,6 +228,19 @@ frame prepared_effect::picture() {
         }
     }
     return made;
+}
+
+std::vector<reported_count> prepared_effect::reports() const {
+    std::vector<reported_count> all;
+    for (const resource& r : composed_->view().resources) {
+        if (r.meaning.empty())
+            continue;
+        std::uint32_t count = 0;
+        std::memcpy(&count, runner_->download_buffer(r.name).data(), sizeof count);
+        if (count > 0)
+            all.push_back({count, std::string(r.meaning)});
+    }
+    return all;
 }
 
 frame run_effect(vulkan::device& device, const recipe& chosen, const gbuffer& inputs,

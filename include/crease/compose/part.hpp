@@ -63,7 +63,7 @@ struct part {
 };
 
 /// The most numbers that a part may take.
-inline constexpr std::size_t most_numbers = 4;
+inline constexpr std::size_t most_numbers = 5;
 
 /// A value that an effect recommends in place of its part's.
 struct setting_value {

@@ -41,6 +41,8 @@ struct resource {
     std::string_view element{};      ///< of a buffer: the GLSL type of its elements, 4, 8 or 16 bytes: "uint"
     lifetime life = lifetime::input; ///< who fills it, and for how long
     extent size{};                   ///< of an image; of a buffer so many elements, times `layers`
+    std::string_view meaning{};      ///< of a report that is a counter: what it counts, and what the host
+                                     ///< can do where that is not 0; else empty
     unsigned layers = 1;             ///< of an array image; of a buffer elements for each texel
     unsigned levels = 1; ///< of an image: mip levels, fewer where its size has no more; 16: down to one texel
     unsigned samples = 1;                               ///< of a multisampled image

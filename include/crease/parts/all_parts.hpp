@@ -11,8 +11,11 @@
 #include <crease/parts/coverage/simple_hash.hpp>
 #include <crease/parts/coverage/stratified.hpp>
 #include <crease/parts/depth/depth_pyramid.hpp>
+#include <crease/parts/depth/layer_array.hpp>
+#include <crease/parts/depth/linked_lists.hpp>
 #include <crease/parts/depth/mip_chain.hpp>
 #include <crease/parts/depth/n_buffer.hpp>
+#include <crease/parts/depth/peeled_layers.hpp>
 #include <crease/parts/depth/single_layer.hpp>
 #include <crease/parts/depth/stochastic_layers.hpp>
 #include <crease/parts/depth/summed_area.hpp>
@@ -100,6 +103,9 @@ inline constexpr const part* all_parts[] = {
     &box_area_part::description,
     &single_layer::description,
     &stochastic_layers_part::description,
+    &layer_array_part::description,
+    &linked_lists_part::description,
+    &peeled_layers_part::description,
     &summed_area_part::description,
     &summed_area_uniform_part::description,
     &summed_area_adaptive_part::description,

@@ -11,13 +11,13 @@ __LINE__, R"glsl("
 // Packs the samples of a texel: many of them hold the same fragment, and each depth is kept once, as only the most
 // occluding layer of a tap counts. So a tap reads as many layers as there are, not as many as there are samples.
 void crease_build(ivec2 texel) {
-    vec4 groups[(crease_stochastic_layers_count + 3) / 4];
+    vec4 groups[(crease_most_layers + 3) / 4];
     crease_unroll for (int group = 0; group < crease_group_count(); ++group)
         groups[group] = vec4(crease_background);
     // The depth image is the first camera's.
     float front = crease_view_index == 0 ? crease_depth_at(vec2(texel)) : 0.0;
     int packed_count = 0;
-    crease_unroll for (int i = 0; i < crease_stochastic_layers_count; ++i) {
+    crease_unroll for (int i = 0; i < crease_most_layers; ++i) {
         float depth = crease_captured_depth(texel, i);
         bool there = depth > 0.0 && depth < crease_background && crease_keeps_layer(depth, front);
         crease_unroll for (int group = 0; group < crease_group_count(); ++group)

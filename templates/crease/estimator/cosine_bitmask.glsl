@@ -3,6 +3,8 @@
 vec3 crease_view_position(vec2 texel, float depth);
 float crease_depth_rounding(float depth);
 float crease_slice_weight(float share);
+float crease_layer_thickness(crease_layer layer);
+int crease_step_count();
 #else
 __LINE__, R"glsl("
 #endif
@@ -21,7 +23,8 @@ struct crease_cosine_bitmask_slab {
     float height, along;         // of the layer
     float ray_height, ray_along; // of the way on from it by a depth of 1
     float depth;                 // of the layer
-    float gap, spacing;          // of the taps, as a share of the distance, and in radii
+    float gap;                   // of the taps, as a share of the distance
+    float thickness, thin;       // depth; of the slab, and if it is isolated
 };
 
 struct crease_estimate {
@@ -76,7 +79,7 @@ crease_march crease_begin_direction(crease_estimate estimate, crease_receiver re
     march.hidden = 0u;
     march.occlusion = 0.0;
     march.taps = 0;
-    march.last = crease_cosine_bitmask_slab(-1.0, 0.0, 0.0, 0.0, -receiver.position.z, 0.0, 0.0);
+    march.last = crease_cosine_bitmask_slab(-1.0, 0.0, 0.0, 0.0, -receiver.position.z, 0.0, 0.0, 0.0);
     march.before_last = 0.0;
     return march;
 }
@@ -117,6 +120,13 @@ void crease_cosine_bitmask_hide_last(inout crease_march march, float thickness) 
     crease_cosine_bitmask_hide(march, hidden, 1.0 - march.reach / nearest);
 }
 
+// What is known to be thinner than the taps are far apart would fall between them.
+float crease_cosine_bitmask_thickness_of(crease_layer layer) {
+    float known = crease_layer_thickness(layer);
+    float least = max(0.25 - 0.0125 * float(crease_step_count()), 0.1);
+    return known < 0.0 ? crease_cosine_bitmask_thickness * crease_radius : max(known, least * crease_radius);
+}
+
 crease_contribution crease_weigh(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer layer) {
     vec3 eye = crease_view_position(tap.texel, 0.0), ray = crease_view_position(tap.texel, 1.0) - eye;
     vec3 start = eye - receiver.position;
@@ -128,11 +138,13 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
     slab.height = tap.inside ? slab.height : -1.0;
     slab.along = slab.ray_along * slab.depth + dot(march.along, start);
     slab.gap = tap.gap;
-    slab.spacing = tap.gap * tap.distance;
+    slab.thickness = crease_cosine_bitmask_thickness_of(layer);
+    float thin = min(tap.gap * tap.distance + 0.03, crease_cosine_bitmask_thickness) * crease_radius;
+    slab.thin = crease_layer_thickness(layer) < 0.0 ? thin : slab.thickness;
     crease_contribution contribution = crease_contribution(slab, 0u, 0u, 0.0, 0.0);
     if (crease_most_layers > 1) {
-        float thickness = crease_cosine_bitmask_thickness * crease_radius, nearest;
-        contribution.own = crease_cosine_bitmask_sectors_of(march, slab, thickness, nearest);
+        float nearest;
+        contribution.own = crease_cosine_bitmask_sectors_of(march, slab, slab.thickness, nearest);
         contribution.own_nearness = 1.0 - march.reach / nearest;
     }
     return contribution;
@@ -165,13 +177,12 @@ bool crease_skip_behind(crease_march march, crease_receiver receiver, crease_tap
 
 // How thick the last slab is: what is nearer to the eye than the taps on both sides is no thicker than they are apart.
 float crease_cosine_bitmask_thickness_of_last(crease_march march, float depth_after) {
-    float thickness = crease_cosine_bitmask_thickness;
+    float thickness = march.last.thickness;
     if (crease_cosine_bitmask_isolated != 0) {
         bool isolated = march.last.depth + 0.1 * crease_radius < min(march.before_last, depth_after);
-        float thin = min(march.last.spacing + 0.03, thickness);
-        thickness = isolated ? thin : thickness;
+        thickness = isolated ? march.last.thin : thickness;
     }
-    return thickness * crease_radius;
+    return thickness;
 }
 
 void crease_add(inout crease_march march, crease_contribution contribution) {

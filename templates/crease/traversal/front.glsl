@@ -2,6 +2,7 @@
 #ifndef __cplusplus
 float crease_depth_at(vec2 texel);
 vec3 crease_view_position(vec2 texel, float depth);
+crease_layer crease_layer_of(vec3 position);
 bool crease_skip_behind(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer front);
 #else
 __LINE__, R"glsl("
@@ -15,7 +16,7 @@ struct crease_fetched {
 crease_fetched crease_fetch(vec2 texel) { return crease_fetched(crease_depth_at(texel)); }
 
 crease_layer crease_front_layer(crease_tap tap, crease_fetched fetched) {
-    return crease_layer(crease_view_position(tap.texel, fetched.front), 1.0);
+    return crease_layer_of(crease_view_position(tap.texel, fetched.front));
 }
 
 // Whether layers behind the front one may add occlusion: not if it lies within `reach` radii, nor, `by_angle`, if the

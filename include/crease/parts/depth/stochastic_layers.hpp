@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/parts/depth/layers.hpp>
+#include <crease/parts/depth/packed_layers.hpp>
 
 namespace crease {
 
@@ -18,18 +18,7 @@ inline constexpr glsl_file pack_layers_glsl{
 struct stochastic_layers_part {
     static constexpr number takes[] = {
         {"count", 1, 32, 8, "samples of a texel, each of which keeps one layer"}};
-    /// Groups of four layers in a texel each, those of each camera in a row.
-    static constexpr void shape_packed(resource& own, const shape_of& effect) {
-        const int count = effect.own.numbers[0];
-        own.layers = static_cast<unsigned>((count + 3) / 4) * effect.views;
-        own.texels = count == 1 ? format::r32_float : count == 2 ? format::rg32_float : format::rgba32_float;
-    }
-    static constexpr resource packed[] = {{.name = "packed_layers",
-                                           .life = lifetime::transient,
-                                           .size = {.guarded = true},
-                                           .arrayed = true,
-                                           .read = access::load,
-                                           .shape = shape_packed}};
+    static constexpr resource packed[] = {packed_layers};
     static constexpr role required[] = {role::layer_storage, role::coverage};
     static constexpr const glsl_file* packing[] = {&pack_layers_glsl};
     static constexpr std::string_view filled[] = {"packed_layers"};
@@ -38,7 +27,7 @@ struct stochastic_layers_part {
                                        .kind = step_kind::texels,
                                        .writes = filled,
                                        .per_view = true}};
-    static constexpr const glsl_file* files[] = {&stochastic_layers_glsl};
+    static constexpr const glsl_file* files[] = {&stochastic_layers_glsl, &packed_layers_glsl};
     static constexpr part description{
         .kind = role::depth_source,
         .name = "stochastic_layers",

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/parts/depth/fragments.hpp>
+#include <crease/parts/storage/captures.hpp>
+
+namespace crease {
+
+inline constexpr glsl_file layer_array_glsl{
+    "depth/layer_array.glsl",
+#include <crease/depth/layer_array.glsl>
+};
+
+inline constexpr glsl_file layer_array_draw_glsl{
+    "depth/layer_array_draw.glsl",
+#include <crease/depth/layer_array_draw.glsl>
+};
+
+struct layer_array_part {
+    static constexpr number takes[] = {fragment_layers_number, capture_places[0], capture_places[1],
+                                       capture_places[2]};
+    static constexpr resource owns[] = {fragment_layers, fragments_beyond_layers, packed_layers};
+    static constexpr const glsl_file* drawing[] = {&layer_array_draw_glsl, &fragment_key_glsl,
+                                                   &fragments_glsl};
+    static constexpr const glsl_file* packing[] = {&pack_fragments_glsl, &sorted_fragments_glsl,
+                                                   &fragments_glsl};
+    static constexpr std::string_view drawn[] = {"fragment_layers", "fragments_beyond_layers"};
+    static constexpr step passes[] = {
+        {.name = "capture_layers",
+         .files = drawing,
+         .kind = step_kind::geometry,
+         .writes = drawn,
+         .how = access::modify},
+        {.name = "pack_layers", .files = packing, .kind = step_kind::texels, .writes = fills_packed_layers}};
+    static constexpr const glsl_file* files[] = {&layer_array_glsl, &sided_layers_glsl, &packed_layers_glsl};
+    static constexpr part description{
+        .kind = role::depth_source,
+        .name = "layer_array",
+        .summary = "the nearest layers of each texel, exactly, in an array image",
+        .source = "a-buffer-ssao 2013, IV.C, with layers that stay sorted",
+        .files = files,
+        .numbers = takes,
+        .resources = owns,
+        .steps = passes,
+        .offers = traits<depth_layers, layers_behind_front>::list,
+    };
+};
+
+/// Depth source: the `Layers` nearest fragments of each texel, front and back faces told apart, in an array
+/// image that an atomic minimum keeps sorted. What is farther is counted. The other numbers place its
+/// bindings and constants among those of the host's geometry pass.
+template <int Layers = 8, int Set = 0, int FirstBinding = 0, int FirstConstant = 0>
+struct layer_array : layer_array_part {
+    static constexpr int numbers[] = {Layers, Set, FirstBinding, FirstConstant};
+};
+
+}

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/parts/depth/fragments.hpp>
+#include <crease/parts/storage/captures.hpp>
+
+namespace crease {
+
+inline constexpr glsl_file linked_lists_glsl{
+    "depth/linked_lists.glsl",
+#include <crease/depth/linked_lists.glsl>
+};
+
+inline constexpr glsl_file linked_lists_draw_glsl{
+    "depth/linked_lists_draw.glsl",
+#include <crease/depth/linked_lists_draw.glsl>
+};
+
+inline constexpr glsl_file linked_lists_sort_glsl{
+    "depth/linked_lists_sort.glsl",
+#include <crease/depth/linked_lists_sort.glsl>
+};
+
+struct linked_lists_part {
+    static constexpr number takes[] = {
+        fragment_layers_number,
+        {"nodes", 1, 64, 8, "size of the pool: nodes for each texel, on average; each texel has one more"},
+        capture_places[0],
+        capture_places[1],
+        capture_places[2]};
+    static constexpr void shape_nodes(resource& own, const shape_of& effect) {
+        own.layers = static_cast<unsigned>(effect.own.numbers[1]);
+    }
+    static constexpr resource owns[] = {
+        {.name = "list_heads", // the nearest fragment of a texel, and the first node of the others
+         .texels = format::r32_uint,
+         .life = lifetime::transient,
+         .size = {.guarded = true},
+         .layers = 2,
+         .arrayed = true,
+         .read = access::load,
+         .cleared = true,
+         .clear = ~0u},
+        {.name = "list_nodes",
+         .kind = resource_kind::buffer,
+         .element = "uvec2",
+         .life = lifetime::transient,
+         .size = {.guarded = true},
+         .shape = shape_nodes},
+        {.name = "node_count",
+         .kind = resource_kind::buffer,
+         .element = "uint",
+         .life = lifetime::transient,
+         .size = {.fixed_width = 1, .fixed_height = 1},
+         .cleared = true},
+        fragments_lost("fragments_beyond_pool",
+                       "fragments that found the pool of nodes full: more nodes for each texel keep them"),
+        fragments_beyond_layers,
+        packed_layers};
+    static constexpr const glsl_file* drawing[] = {&linked_lists_draw_glsl, &fragment_key_glsl,
+                                                   &fragments_glsl};
+    static constexpr const glsl_file* packing[] = {&pack_fragments_glsl, &linked_lists_sort_glsl,
+                                                   &fragments_glsl};
+    static constexpr std::string_view drawn[] = {"list_heads", "list_nodes", "node_count",
+                                                 "fragments_beyond_pool"};
+    static constexpr step passes[] = {{.name = "capture_layers",
+                                       .files = drawing,
+                                       .kind = step_kind::geometry,
+                                       .writes = drawn,
+                                       .how = access::modify},
+                                      {.name = "pack_layers",
+                                       .files = packing,
+                                       .kind = step_kind::texels,
+                                       .writes = fills_packed_layers_counting,
+                                       .how = access::modify}};
+    static constexpr const glsl_file* files[] = {&linked_lists_glsl, &sided_layers_glsl, &packed_layers_glsl};
+    static constexpr part description{
+        .kind = role::depth_source,
+        .name = "linked_lists",
+        .summary = "all fragments in lists of a bounded pool, of which the nearest of each texel are sorted",
+        .source = "a-buffer-ssao 2013, IV.A",
+        .files = files,
+        .numbers = takes,
+        .resources = owns,
+        .steps = passes,
+        .offers = traits<depth_layers, layers_behind_front>::list,
+    };
+};
+
+/// Depth source: all fragments, front and back faces told apart, in a linked list for each texel, of which
+/// the `Layers` nearest are sorted for the taps. The nodes of all lists come from one pool of `Nodes` for
+/// each texel; the nearest fragment of a texel needs none. What finds the pool full, and what is farther than
+/// the layers, is counted. The other numbers place its bindings and constants among those of the host's
+/// geometry pass.
+template <int Layers = 8, int Nodes = 8, int Set = 0, int FirstBinding = 0, int FirstConstant = 0>
+struct linked_lists : linked_lists_part {
+    static constexpr int numbers[] = {Layers, Nodes, Set, FirstBinding, FirstConstant};
+};
+
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/parts/depth/layers.hpp>
+
+namespace crease {
+
+inline constexpr glsl_file packed_layers_glsl{
+    "depth/packed_layers.glsl",
+#include <crease/depth/packed_layers.glsl>
+};
+
+/// As many layers as the first number of the depth source says, in groups of four in a texel each, those of
+/// each camera in a row.
+constexpr void shape_packed_layers(resource& own, const shape_of& effect) {
+    const int count = effect.own.numbers[0];
+    own.layers = static_cast<unsigned>((count + 3) / 4) * effect.views;
+    own.texels = count == 1 ? format::r32_float : count == 2 ? format::rg32_float : format::rgba32_float;
+}
+
+/// What taps read of a depth source that packs its layers.
+inline constexpr resource packed_layers{.name = "packed_layers",
+                                        .life = lifetime::transient,
+                                        .size = {.guarded = true},
+                                        .arrayed = true,
+                                        .read = access::load,
+                                        .shape = shape_packed_layers};
+
+}

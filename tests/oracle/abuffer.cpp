@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "abuffer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <span>
+
+namespace oracle {
+
+namespace {
+
+constexpr crease::piece vertex[] = {{"vertex", R"glsl(#version 450
+layout(push_constant) uniform transforms { mat4 clip_from_view; };
+layout(location = 0) in vec3 position;
+void main() { gl_Position = clip_from_view * vec4(position, 1.0); }
+)glsl"}};
+constexpr crease::piece fragment_text[] = {{"fragment", R"glsl(
+void main() { crease_capture(vec3(0.0)); }
+)glsl"}};
+
+/// Of which side of the edge from a to b a point lies, texels; positive: to the left, with y up.
+double side_of(glm::dvec2 a, glm::dvec2 b, glm::dvec2 point) {
+    const glm::dvec2 edge = b - a, to_point = point - a;
+    return (edge.x * to_point.y - edge.y * to_point.x) / glm::length(edge);
+}
+
+bool is_nearer(const fragment& a, const fragment& b) {
+    return a.depth < b.depth || (a.depth == b.depth && !a.back && b.back);
+}
+
+}
+
+fragment_lists rasterise(const triangles& scene, lens seen_by, int width, int height) {
+    picture p;
+    p.width = width;
+    p.height = height;
+    p.projection = make_projection(seen_by, static_cast<double>(width) / height);
+    p.reversed = seen_by == lens::reversed || seen_by == lens::infinite;
+    const auto texels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    fragment_lists lists{.of = std::vector<std::vector<fragment>>(texels),
+                         .doubtful = std::vector<bool>(texels)};
+    for (std::size_t t = 0; t + 2 < scene.size(); t += 3) {
+        const glm::dvec3 a = scene[t], b = scene[t + 1], c = scene[t + 2];
+        const glm::dvec3 normal = glm::cross(b - a, c - a);
+        const glm::dvec2 on_a = p.project(a), on_b = p.project(b), on_c = p.project(c);
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const glm::dvec2 centre(x + 0.5, y + 0.5);
+                const double sides[] = {side_of(on_a, on_b, centre), side_of(on_b, on_c, centre),
+                                        side_of(on_c, on_a, centre)};
+                const auto [least, most] = std::minmax({sides[0], sides[1], sides[2]});
+                const std::size_t at = p.index(x, y);
+                if (std::abs(least) < 0.004 || std::abs(most) < 0.004)
+                    lists.doubtful[at] = true;
+                if (least < 0 && most > 0)
+                    continue;
+                glm::dvec3 origin, direction;
+                p.ray(centre, origin, direction);
+                const double towards = glm::dot(direction, normal);
+                const glm::dvec3 hit = origin + direction * (glm::dot(a - origin, normal) / towards);
+                lists.of[at].push_back({-hit.z, towards > 0});
+            }
+    }
+    for (std::vector<fragment>& list : lists.of)
+        std::ranges::sort(list, is_nearer);
+    return lists;
+}
+
+triangles soup(unsigned count, std::uint32_t seed) {
+    const auto random = [&seed] {
+        seed = seed * 1664525u + 1013904223u;
+        return static_cast<float>(seed >> 8) / 16777216.0f;
+    };
+    triangles all;
+    for (unsigned i = 0; i < count; ++i) {
+        const float depth = 1.5f + 4 * random();
+        const glm::vec3 middle((random() - 0.5f) * depth, (random() - 0.5f) * depth, -depth);
+        for (int corner = 0; corner < 3; ++corner)
+            all.push_back(middle + glm::vec3((random() - 0.5f) * 1.6f * depth,
+                                             (random() - 0.5f) * 1.6f * depth, random() - 0.5f));
+    }
+    return all;
+}
+
+triangles turned(const triangles& scene) {
+    triangles other = scene;
+    for (std::size_t t = 0; t + 2 < other.size(); t += 3)
+        std::swap(other[t + 1], other[t + 2]);
+    return other;
+}
+
+fragment_capture::fragment_capture(const std::string& recipe, unsigned width, unsigned height, lens seen_by,
+                                   std::string_view last, std::optional<unsigned> free_nodes)
+    : width_(width), height_(height),
+      projection_(clip_from_view(seen_by, static_cast<double>(width) / height)),
+      composed_(compose(recipe + "/linear_depth/reconstructed_normals" +
+                        (seen_by == lens::orthographic ? "/orthographic" : ""))),
+      how_(composed_->view().defaults), host_{.vertex = vertex,
+                                              .fragment = fragment_text,
+                                              .push_constant_bytes = sizeof(glm::mat4)} {
+    crease::effect_view effect = composed_->view();
+    resources_.assign(effect.resources.begin(), effect.resources.end());
+    for (crease::resource& each : resources_)
+        if (free_nodes && each.name == "node_count") {
+            const auto pool = std::ranges::find(resources_, "list_nodes", &crease::resource::name);
+            each.clear = width * height * pool->layers - *free_nodes;
+        }
+    effect.resources = resources_;
+    std::size_t passes = 1;
+    while (effect.passes[passes - 1].name != last)
+        REQUIRE(++passes <= effect.passes.size());
+    effect.passes = {effect.passes.data(), passes};
+    runner_ = std::make_unique<crease::vulkan::runner>(device(), effect, width, height);
+    float matrix[16];
+    std::memcpy(matrix, &projection_, sizeof matrix);
+    REQUIRE(crease::set_projection(how_.view, matrix, width, height));
+    runner_->upload("depth", std::vector<float>(std::size_t{width} * height, 0.01f));
+}
+
+void fragment_capture::set(std::string_view name, float value) {
+    if (name == "radius")
+        how_.radius = value;
+    else
+        oracle::set(how_, *composed_, name, value);
+}
+
+void fragment_capture::draw(const triangles& scene) {
+    std::vector<float> numbers; // with a normal, which no shader here reads
+    for (const glm::vec3& p : scene)
+        numbers.insert(numbers.end(), {p.x, p.y, p.z, 0, 0, 1});
+    const crease::vulkan::mesh drawn(device(), numbers);
+    for (const crease::pass& each : composed_->view().passes)
+        if (each.stage == crease::stage_kind::geometry)
+            runner_->set_geometry(each.name, host_, drawn, std::as_bytes(std::span(&projection_, 1)));
+    runner_->run(how_);
+}
+
+std::uint32_t fragment_capture::count_in(std::string_view buffer) const {
+    const std::vector<std::byte> bytes = runner_->download_buffer(buffer);
+    REQUIRE(bytes.size() == 4);
+    std::uint32_t count;
+    std::memcpy(&count, bytes.data(), 4);
+    return count;
+}
+
+std::vector<std::vector<fragment>> fragment_capture::packed(std::size_t layers) const {
+    const std::vector<float> all = runner_->download("packed_layers");
+    const std::size_t texels = std::size_t{width_} * height_, each = std::min<std::size_t>(layers, 4);
+    const std::size_t components = each == 3 ? 4 : each;
+    std::vector<std::vector<fragment>> lists(texels);
+    for (std::size_t at = 0; at < texels; ++at)
+        for (std::size_t i = 0; i < layers; ++i) {
+            const float depth = all[((i / components) * texels + at) * components + i % components];
+            if (!(depth < 1e9f))
+                break;
+            lists[at].push_back({std::abs(depth), depth < 0});
+        }
+    return lists;
+}
+
+std::vector<std::vector<fragment>> fragment_capture::listed() const {
+    constexpr std::uint32_t nothing = ~0u;
+    const std::vector<std::uint32_t> heads = runner_->download_uint("list_heads");
+    const std::vector<std::byte> bytes = runner_->download_buffer("list_nodes");
+    std::vector<std::uint32_t> nodes(bytes.size() / 4);
+    std::memcpy(nodes.data(), bytes.data(), bytes.size());
+    const std::size_t texels = heads.size() / 2;
+    std::vector<std::vector<fragment>> lists(texels);
+    for (std::size_t at = 0; at < texels; ++at) {
+        std::vector<std::uint32_t> keys;
+        if (heads[at] != nothing)
+            keys.push_back(heads[at]);
+        for (std::uint32_t node = heads[texels + at]; node != nothing; node = nodes[2 * node + 1]) {
+            REQUIRE(2 * std::size_t{node} + 1 < nodes.size());
+            REQUIRE(keys.size() < 1000);
+            keys.push_back(nodes[2 * node]);
+        }
+        CHECK(std::ranges::min(keys.empty() ? std::vector{nothing} : keys) == heads[at]);
+        std::ranges::sort(keys);
+        for (std::uint32_t key : keys)
+            lists[at].push_back({std::bit_cast<float>(key >> 1), (key & 1) != 0});
+    }
+    return lists;
+}
+
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// All fragments of triangles, in double precision and apart from the shaders, and effects that capture them.
+#pragma once
+
+#include "captured.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace oracle {
+
+struct fragment {
+    double depth; ///< linear
+    bool back;    ///< of a back face: its corners turn clockwise
+
+    bool operator==(const fragment&) const = default;
+};
+
+/// The fragments of each texel, row by row, nearest first.
+struct fragment_lists {
+    std::vector<std::vector<fragment>> of;
+    std::vector<bool> doubtful; ///< an edge passes so near the centre that rounding may decide
+};
+
+/// What a rasteriser makes of triangles that lie beyond the near plane.
+fragment_lists rasterise(const triangles& scene, lens seen_by, int width, int height);
+
+/// Triangles at random, each a good part of the picture large and at a depth from 1 to 6.
+triangles soup(unsigned count, std::uint32_t seed);
+
+/// The triangles once more, with their corners in the other order.
+triangles turned(const triangles& scene);
+
+/// An effect whose depth source captures all fragments of triangles.
+class fragment_capture {
+public:
+    /// @param recipe      the sampler, the depth source, the estimator and more, all but the depth encoding
+    /// and normals
+    /// @param last        the last pass that runs; where it is the packing, the depth image is before all
+    /// @param free_nodes  of a pool that is in use but for these; else all are free
+    fragment_capture(const std::string& recipe, unsigned width, unsigned height,
+                     lens seen_by = lens::standard, std::string_view last = "pack_layers",
+                     std::optional<unsigned> free_nodes = {});
+
+    void draw(const triangles& scene);
+    crease::vulkan::runner& runner() { return *runner_; }
+    /// Sets a setting, or the radius.
+    void set(std::string_view name, float value);
+    /// The number in a buffer of one.
+    std::uint32_t count_in(std::string_view buffer) const;
+    /// What is packed for a texel, row by row: nearest first.
+    std::vector<std::vector<fragment>> packed(std::size_t layers) const;
+    /// Of `linked_lists` what is in the list of a texel, its nearest included, in the order of keys; a list
+    /// that does not end fails the test.
+    std::vector<std::vector<fragment>> listed() const;
+
+private:
+    unsigned width_, height_;
+    glm::mat4 projection_;
+    std::unique_ptr<crease::composition> composed_;
+    std::vector<crease::resource> resources_;
+    std::unique_ptr<crease::vulkan::runner> runner_;
+    crease::parameters how_;
+    crease::vulkan::geometry_shaders host_;
+};
+
+}
