@@ -80,8 +80,8 @@ void file_set::appear(std::span<const std::string> older) {
     for (const fs::path& name : names) {
         const fs::file_status there = fs::status(folder_ / name, error);
         if (fs::exists(there) && !fs::is_regular_file(there))
-            throw file_error(fmt::format("{}: not a regular file; choose another output path",
-                                         (folder_ / name).string()));
+            throw file_error(
+                fmt::format("{}: not a regular file; choose another output path", (folder_ / name).string()));
         if (name.has_parent_path())
             make_directory(folder_ / name.parent_path());
     }

@@ -43,7 +43,8 @@ inline constexpr unsigned longest_side = 16384;
 image read_image(const std::filesystem::path& path);
 
 /// PFM: 1 (`Pf`) or 3 (`PF`) channels, either byte order, any value including NaN. The number that scales the
-/// values is read for its sign alone, as everybody does. Lines may end in CR LF; nothing may follow the values.
+/// values is read for its sign alone, as everybody does. Lines may end in CR LF; nothing may follow the
+/// values.
 /// @throws file_error, image_error
 image read_pfm(const std::filesystem::path& path);
 

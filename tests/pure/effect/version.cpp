@@ -7,15 +7,17 @@
 #include <string>
 #include <vector>
 
-static_assert(CREASE_VERSION == 10000 * CREASE_VERSION_MAJOR + 100 * CREASE_VERSION_MINOR + CREASE_VERSION_PATCH);
+static_assert(CREASE_VERSION ==
+              10000 * CREASE_VERSION_MAJOR + 100 * CREASE_VERSION_MINOR + CREASE_VERSION_PATCH);
 #if CREASE_VERSION < 200
 #error "the number grows with the version, also for the preprocessor"
 #endif
 
 namespace {
 
-const std::string from_macros = std::to_string(CREASE_VERSION_MAJOR) + "." + std::to_string(CREASE_VERSION_MINOR) +
-                                "." + std::to_string(CREASE_VERSION_PATCH);
+const std::string from_macros = std::to_string(CREASE_VERSION_MAJOR) + "." +
+                                std::to_string(CREASE_VERSION_MINOR) + "." +
+                                std::to_string(CREASE_VERSION_PATCH);
 
 /// The headings of releases, newest first: "0.2.0] - 2026-11-30".
 std::vector<std::string> releases() {
