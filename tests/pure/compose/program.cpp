@@ -62,9 +62,10 @@ int counted_with(const effect_view& view, const binding& b, dialect_kind dialect
 }
 
 /// The line of a program's interface that declares a binding.
-std::string declaration(std::string_view interface, const binding& b) {
-    const std::string name = b.how == access::uniform ? " uniform crease_parameters {\n"
-                                                      : " crease_" + std::string(b.name) + ";\n";
+std::string declaration(std::string_view interface, const binding& b, resource_kind kind) {
+    const std::string name = b.how == access::uniform        ? " uniform crease_parameters {\n"
+                             : kind == resource_kind::buffer ? " crease_" + std::string(b.name) + "[]; };\n"
+                                                             : " crease_" + std::string(b.name) + ";\n";
     const std::size_t at = interface.find(name);
     if (at == std::string_view::npos)
         return {};
@@ -83,7 +84,7 @@ void check_bindings(const effect_view& view, const pass& each) {
         if (!has_descriptor(b.how))
             continue;
         CAPTURE(std::string(b.name));
-        const std::string text = declaration(each.pieces[0].text, b);
+        const std::string text = declaration(each.pieces[0].text, b, view.resources[b.resource].kind);
         CHECK(contains(text, "binding = " + std::to_string(b.slot) + ")"));
         CHECK(contains(text, "set = " + std::to_string(b.set) + ", ") ==
               (each.dialect == dialect_kind::vulkan));

@@ -1,4 +1,4 @@
-// directions:8x4x2/single_layer/hbao, pass visibility; crease 0.1.0, SPDX-License-Identifier: MIT-0
+// directions:8x4x2/single_layer/hbao, pass visibility; crease 0.2.0, SPDX-License-Identifier: MIT-0
 #version 450
 #extension GL_EXT_control_flow_attributes : enable
 #define crease_unroll [[unroll]]
@@ -44,17 +44,7 @@ float crease_exponent = crease_given.exponent;
 struct crease_result {
     float visibility; // 1 open, 0 closed
     float depth;      // positive, linear; crease_background where there is none
-};
-
-// The point whose visibility is asked for.
-struct crease_receiver {
-    ivec2 pixel;             // of the pass's output
-    vec2 texel;              // texel space of the depth image
-    vec3 position;           // view space
-    vec3 normal;             // view space, unit
-    vec3 to_eye;             // view space, unit
-    vec3 tangent, bitangent; // view space, unit: the axes of the disk that faces the eye
-    mat2 disk;               // from offsets on that disk, in AO radii, to texels
+    vec3 normal;      // view space, unit; filters that weigh by it have it handed on
 };
 
 // Shaders index texels of the whole depth image, guard band included, with texel centres at whole numbers.
@@ -86,54 +76,22 @@ float crease_depth_at(vec2 texel) {
     return crease_linear_depth(textureLod(crease_depth, (texel + 0.5) * crease_view.texel_size, 0.0).x);
 }
 
+crease_result crease_open_result() { return crease_result(1.0, crease_background, vec3(0.0, 0.0, 1.0)); }
+
 vec3 crease_view_position(vec2 texel, float depth) {
     return vec3((texel * crease_view.from_texel.xy + crease_view.from_texel.zw) * depth, -depth);
 }
 
-vec3 crease_to_eye(vec3 position) { return -normalize(position); }
-
-void crease_axes(vec3 to_eye, out vec3 tangent, out vec3 bitangent) {
-    tangent = normalize(vec3(to_eye.z, 0.0, -to_eye.x));
-    bitangent = cross(to_eye, tangent);
-}
-
-// Derivative of the projection at `position` along two axes that face the eye, times the radius.
-mat2 crease_disk(vec3 position, vec3 tangent, vec3 bitangent) {
-    vec2 ray = position.xy / -position.z;
-    vec2 scale = crease_radius / (-position.z * crease_view.from_texel.xy);
-    return mat2((tangent.xy + ray * tangent.z) * scale, (bitangent.xy + ray * bitangent.z) * scale);
-}
-
-crease_receiver crease_make_receiver(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
-    crease_receiver receiver;
-    receiver.pixel = pixel;
-    receiver.texel = texel;
-    receiver.position = position;
-    receiver.normal = normal;
-    receiver.to_eye = crease_to_eye(position);
-    crease_axes(receiver.to_eye, receiver.tangent, receiver.bitangent);
-    receiver.disk = crease_disk(position, receiver.tangent, receiver.bitangent);
-    return receiver;
-}
-
-// The normals image holds view-space normals, facing the camera, of any length; one that has no direction counts as
-// facing the eye.
-vec3 crease_normal_at(vec2 texel, vec3 position) {
-    vec3 normal = textureLod(crease_normal, (texel + 0.5) * crease_view.texel_size, 0.0).xyz;
-    float squared = dot(normal, normal);
-    return squared > 0.0 && squared < 1.0e30 ? normal * inversesqrt(squared) : crease_to_eye(position);
-}
-
-// The surface in the depth image; false for background.
-bool crease_receive(ivec2 pixel, out crease_receiver receiver) {
-    vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
-    float depth = crease_depth_at(texel);
-    if (!(depth > 0.0 && depth < crease_background))
-        return false;
-    vec3 position = crease_view_position(texel, depth);
-    receiver = crease_make_receiver(pixel, texel, position, crease_normal_at(texel, position));
-    return true;
-}
+// The point whose visibility is asked for.
+struct crease_receiver {
+    ivec2 pixel;             // of the pass's output
+    vec2 texel;              // texel space of the depth image
+    vec3 position;           // view space
+    vec3 normal;             // view space, unit
+    vec3 to_eye;             // view space, unit
+    vec3 tangent, bitangent; // view space, unit: the axes of the disk that faces the eye
+    mat2 disk;               // from offsets on that disk, in AO radii, to texels
+};
 
 // Horizons: stochastic-depth-ao, Algorithm 2, with the threshold of 4.4. The Z axis of the paper's figure 4.5 is the
 // direction to the eye.
@@ -162,7 +120,8 @@ float crease_estimate_occlusion(crease_estimate estimate) {
 }
 
 crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver) {
-    return crease_result(crease_visibility_of(crease_estimate_occlusion(gathered.estimate)), -receiver.position.z);
+    return crease_result(crease_visibility_of(crease_estimate_occlusion(gathered.estimate)), -receiver.position.z,
+                         receiver.normal);
 }
 
 // Directions that divide the circle evenly, and steps that grow by a power of their index; both start at a random
@@ -310,6 +269,11 @@ crease_layers crease_fetch_first_layers(vec2 texel) { return crease_fetch_layers
 
 crease_fetched crease_fetch(vec2 texel) { return crease_fetched(crease_fetch_first_layers(texel)); }
 
+// A source that holds several sizes of texels chooses among them here.
+crease_fetched crease_fetch_tap(crease_pattern pattern, crease_receiver receiver, int step, crease_tap tap) {
+    return crease_fetch(tap.texel);
+}
+
 struct crease_contribution {
     float occlusion;
     float rise; // of the horizon after it
@@ -368,7 +332,7 @@ void crease_gather_taps(inout crease_march march, inout crease_pattern pattern, 
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count) {
             taps[i] = crease_pattern_tap(pattern, receiver, first + i);
-            fetched[i] = crease_fetch(taps[i].texel);
+            fetched[i] = crease_fetch_tap(pattern, receiver, first + i, taps[i]);
         }
     crease_unroll for (int i = 0; i < crease_batch_size; ++i)
         if (i < count)
@@ -414,11 +378,43 @@ crease_result crease_result_of(crease_receiver receiver) {
     return crease_conclude(crease_gather(receiver), receiver);
 }
 
-crease_result crease_open_result() { return crease_result(1.0, crease_background); }
+vec3 crease_to_eye(vec3 position) { return -normalize(position); }
 
+void crease_axes(vec3 to_eye, out vec3 tangent, out vec3 bitangent) {
+    tangent = normalize(vec3(to_eye.z, 0.0, -to_eye.x));
+    bitangent = cross(to_eye, tangent);
+}
+
+// Derivative of the projection at `position` along two axes that face the eye, times the radius.
+mat2 crease_disk(vec3 position, vec3 tangent, vec3 bitangent) {
+    vec2 ray = position.xy / -position.z;
+    vec2 scale = crease_radius / (-position.z * crease_view.from_texel.xy);
+    return mat2((tangent.xy + ray * tangent.z) * scale, (bitangent.xy + ray * bitangent.z) * scale);
+}
+
+crease_receiver crease_make_receiver(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
+    vec3 to_eye = crease_to_eye(position), tangent, bitangent;
+    crease_axes(to_eye, tangent, bitangent);
+    return crease_receiver(pixel, texel, position, normal, to_eye, tangent, bitangent,
+                           crease_disk(position, tangent, bitangent));
+}
+
+// The normals image holds view-space normals, facing the camera, of any length; one that has no direction counts as
+// facing the eye.
+vec3 crease_normal_at(vec2 texel, vec3 position) {
+    vec3 normal = textureLod(crease_normal, (texel + 0.5) * crease_view.texel_size, 0.0).xyz;
+    float squared = dot(normal, normal);
+    return squared > 0.0 && squared < 1.0e30 ? normal * inversesqrt(squared) : crease_to_eye(position);
+}
+
+// Of the surface in the depth image; background is open.
 crease_result crease_evaluate(ivec2 pixel) {
-    crease_receiver receiver;
-    return crease_receive(pixel, receiver) ? crease_result_of(receiver) : crease_open_result();
+    vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
+    float depth = crease_depth_at(texel);
+    if (!(depth > 0.0 && depth < crease_background))
+        return crease_open_result();
+    vec3 position = crease_view_position(texel, depth);
+    return crease_result_of(crease_make_receiver(pixel, texel, position, crease_normal_at(texel, position)));
 }
 
 // Visibility alone.
