@@ -3,6 +3,8 @@
 
 #include <crease/crease.hpp>
 
+#include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -44,10 +46,27 @@ inline std::vector<std::string> one_by_one(const std::vector<std::string>& texts
     return times(texts, words);
 }
 
+/// Of recipes of three parts those in which one stands for the first time: each part is in at least one.
+inline std::vector<std::string> first_of_each(const std::vector<std::string>& texts) {
+    std::set<std::string> seen;
+    std::vector<std::string> firsts;
+    for (const std::string& text : texts) {
+        bool is_first = false;
+        for (std::size_t at = 0; at < text.size();) {
+            const std::size_t end = std::min(text.find('/', at), text.size());
+            is_first = seen.insert(text.substr(at, end - at)).second || is_first;
+            at = end + 1;
+        }
+        if (is_first)
+            firsts.push_back(text);
+    }
+    return firsts;
+}
+
 /// The recipes of legal compositions of the parts of crease, the numbers left at their defaults. Every
-/// sampler, depth source and estimator meets every view, stage and dialect; what may be added to these three
-/// meets all filters, and then the views, reads, stages and dialects one by one, as roles call each other in
-/// pairs.
+/// sampler, depth source and estimator meets every layer traversal, further view and output, and with them
+/// the parts of each other role one by one, as roles call each other in pairs. A choice of them, in which
+/// each part stands, meets every view, stage and dialect, and all filters, storages, coverages and scans.
 inline std::vector<std::string> every_recipe() {
     using enum crease::role;
     const auto legal = [](std::vector<std::string> texts) {
@@ -61,19 +80,25 @@ inline std::vector<std::string> every_recipe() {
     };
     const std::vector<std::string> three =
         legal(times(times(names_of(sampler), names_of(depth_source)), names_of(estimator)));
-    std::vector<std::string> all = three;
+    const std::vector<std::string> more =
+        legal(times(legal(times(three, optional(layer_traversal))), names_of(output)));
+    const std::vector<std::string> views = times(more, names_of(further_views));
+
+    const std::vector<std::string> firsts = first_of_each(three);
+    std::vector<std::string> all = firsts;
     for (crease::role each : {projection, depth_encoding, normals, stage, dialect})
         all = times(all, names_of(each));
-    std::vector<std::string> more = legal(times(three, optional(layer_traversal)));
-    more = legal(times(more, optional(further_views)));
-    more = times(legal(times(more, names_of(output))), filter_chains());
+    const std::vector<std::string> filtered =
+        times(legal(times(legal(times(firsts, optional(further_views))), names_of(output))), filter_chains());
     const std::vector<std::string> captures =
-        times(legal(times(times(three, names_of(layer_storage)), names_of(coverage))), names_of(projection));
-    const std::vector<std::string> scans = times(legal(times(three, names_of(scan))), names_of(stage));
+        times(legal(times(times(firsts, names_of(layer_storage)), names_of(coverage))), names_of(projection));
+    const std::vector<std::string> scans = times(legal(times(firsts, names_of(scan))), names_of(stage));
     const std::vector<std::string> reads =
-        times(legal(times(times(three, names_of(image_reads)), names_of(depth_encoding))), optional(filter));
+        times(legal(times(times(firsts, names_of(image_reads)), names_of(depth_encoding))), optional(filter));
     for (const auto& each : {one_by_one(more, {projection, depth_encoding, normals, noise, receivers,
-                                               output_format, image_reads, stage, dialect}),
+                                               output_format, image_reads, filter, stage, dialect}),
+                             one_by_one(filtered, {projection, depth_encoding, normals, noise, receivers,
+                                                   output_format, image_reads, stage, dialect}),
                              times(captures, names_of(dialect)), times(scans, names_of(dialect)),
                              times(reads, names_of(dialect))})
         all.insert(all.end(), each.begin(), each.end());
