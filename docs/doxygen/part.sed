@@ -3,7 +3,7 @@
 s|^( *)static constexpr part description|\1/// What the part says of itself.\n&|
 s|^( *)static constexpr number |\1/// The numbers that it takes: name, least, most, fallback, meaning.\n&|
 s|^( *)static constexpr setting |\1/// The settings that it reads: name, fallback, least, most, meaning.\n&|
-s|^( *)static constexpr void shape\(|\1/// Sets the shape of its resources by its numbers and by the other parts.\n&|
+s|^( *)static constexpr void shape[_a-z]*\(|\1/// Sets the shape of its resources by its numbers and by the other parts.\n&|
 s|^( *)static constexpr void fill\(|\1/// Fills its constant image.\n&|
 s|^( *)static constexpr resource |\1/// Images and buffers that it reads or fills.\n&|
 s|^( *)static constexpr step |\1/// Passes of its own.\n&|
@@ -14,3 +14,5 @@ s|^( *)static constexpr const glsl_file\*|\1/// Its GLSL.\n&|
 s|^( *)static constexpr int numbers|\1/// The template arguments, in the order of the part's `description.numbers`.\n&|
 s|^( *)using needs |\1/// What other parts must offer.\n&|
 s|^struct ([a-z_0-9]+)_part |/// What \1 is, whatever its numbers.\n&|
+s|^( *)using parts |\1/// Its parts, in any order.\n&|
+s|^( *)static constexpr preset_description |\1/// What the preset says of itself.\n&|

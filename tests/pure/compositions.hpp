@@ -95,7 +95,8 @@ inline std::vector<std::string> every_recipe() {
     const std::vector<std::string> scans = times(legal(times(firsts, names_of(scan))), names_of(stage));
     const std::vector<std::string> reads =
         times(legal(times(times(firsts, names_of(image_reads)), names_of(depth_encoding))), optional(filter));
-    for (const auto& each : {one_by_one(more, {projection, depth_encoding, normals, noise, receivers,
+    for (const auto& each : {views,
+                             one_by_one(more, {projection, depth_encoding, normals, noise, receivers,
                                                output_format, image_reads, filter, stage, dialect}),
                              one_by_one(filtered, {projection, depth_encoding, normals, noise, receivers,
                                                    output_format, image_reads, stage, dialect}),
