@@ -23,9 +23,9 @@ std::vector<march_tap> march(const picture& p, const receiver& r, const settings
     for (int i = 0; i < steps; ++i) {
         const double share = std::pow((i + offset) / steps, power);
         const glm::dvec2 at = glm::floor(first + radius * share);
-        taps.push_back({static_cast<int>(std::clamp(at.x, 0.0, p.width - 1.0)),
-                        static_cast<int>(std::clamp(at.y, 0.0, p.height - 1.0)), share,
-                        power / (i + offset)});
+        const int x = static_cast<int>(std::clamp(at.x, 0.0, p.width - 1.0)),
+                  y = static_cast<int>(std::clamp(at.y, 0.0, p.height - 1.0));
+        taps.push_back({x, y, share, power / (i + offset), x != r.x || y != r.y});
     }
     return taps;
 }
@@ -113,9 +113,9 @@ double gtao(const picture& p, const receiver& r, const settings& s, const half_s
         double rise = 0;
         for (const march_tap& t : each.taps)
             for (const glm::dvec3& position : p.positions(t.x, t.y)) {
-                const glm::dvec3 way = position - r.position;
-                if (glm::length(way) == 0)
+                if (!t.counts)
                     continue;
+                const glm::dvec3 way = position - r.position;
                 const direction_of seen(r, way);
                 const glm::dvec3 stretched(way.x, way.y, way.z * (1 + s.thin_occluders));
                 const double nearness =
@@ -132,9 +132,9 @@ double visibility_bitmask(const picture& p, const receiver& r, const settings& s
         bool hidden[32] = {};
         for (const march_tap& t : each.taps)
             for (const glm::dvec3& position : p.positions(t.x, t.y)) {
-                const glm::dvec3 way = position - r.position, back = -p.to_eye(position);
-                if (glm::length(way) == 0)
+                if (!t.counts)
                     continue;
+                const glm::dvec3 way = position - r.position, back = -p.to_eye(position);
                 // What of the slab is within the radius, by the quadratic equation.
                 const double half = glm::dot(way, back),
                              root = half * half - glm::dot(way, way) + s.radius * s.radius;
@@ -192,7 +192,7 @@ double cosine_bitmask(const picture& p, const receiver& r, const settings& s, co
             front.y *= std::max(0.4, 1 - 0.3 * l.tap->gap);
             const double distance = std::min(glm::length(front), glm::length(back)) / cg;
             nearness = 1 - distance / s.radius;
-            if (!(front.x > 0) || !(distance < s.radius))
+            if (!l.tap->counts || !(front.x > 0) || !(distance < s.radius))
                 return 0;
             const int upper = sector(front.y / glm::length(front)),
                       lower = back.x > 0 ? std::min(sector(back.y / glm::length(back)), upper) : 0;

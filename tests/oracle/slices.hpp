@@ -12,6 +12,7 @@ namespace oracle {
 struct march_tap {
     int x, y;
     double distance, gap; ///< from the receiver, radii; between the taps around it, as a share of that
+    bool counts;          ///< whether the texel is not the receiver's
 };
 
 /// A direction: unit, across the direction to the eye.

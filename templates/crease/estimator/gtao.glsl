@@ -45,8 +45,7 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
     vec3 stretched = vec3(to_layer.xy, to_layer.z * (1.0 + crease_gtao_thin_occluders));
     float radii = length(stretched) / max(crease_radius, 1e-20);
     float nearness = clamp((1.0 - radii) / max(crease_gtao_falloff, 1e-6), 0.0, 1.0);
-    bool counts = tap.inside && radii > 0.0; // at the picture's edge a tap may find the receiver
-    return crease_contribution(counts ? nearness * crease_gtao_rise(march, receiver, to_layer) : 0.0);
+    return crease_contribution(tap.inside ? nearness * crease_gtao_rise(march, receiver, to_layer) : 0.0);
 }
 
 // Of all layers of a texel the front one rises the most; if that is below the horizon, so are the others.

@@ -50,8 +50,7 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
     float inside = sqrt(max(crease_radius * crease_radius - apart + middle * middle, 0.0));
     float first = max(middle - inside, 0.0);
     float last = min(middle + inside, crease_visibility_bitmask_thickness * crease_radius);
-    bool counts = tap.inside && apart > 0.0; // at the picture's edge a tap may find the receiver
-    if (!counts || !(first < last))
+    if (!tap.inside || !(first < last))
         return crease_contribution(0u);
     return crease_contribution(crease_visibility_bitmask_from(march, receiver, to_layer + first * back) &
                                ~crease_visibility_bitmask_from(march, receiver, to_layer + last * back));

@@ -6,15 +6,17 @@ __LINE__, R"glsl("
 // A march whose steps grow by a power of their index. It begins a texel away, so that no tap falls on the receiver
 // itself; what would be beside the depth image is looked for at its edge.
 struct crease_stepped_march {
-    vec2 first;   // texels: where it begins; rounded down it is the texel
-    vec2 radius;  // texels: the way to the radius
-    float offset; // of step 0, in steps
+    vec2 receiver; // its texel
+    vec2 first;    // texels: where it begins; rounded down it is the texel
+    vec2 radius;   // texels: the way to the radius
+    float offset;  // of step 0, in steps
 };
 
 crease_stepped_march crease_stepped_march_begin(crease_receiver receiver, vec2 direction, float offset) {
     vec2 radius = receiver.disk * direction;
     vec2 texel = radius * inversesqrt(max(dot(radius, radius), 1e-20));
-    return crease_stepped_march(receiver.texel + 0.5 + texel, radius, max(offset, 1e-4)); // gaps are shares of it
+    return crease_stepped_march(receiver.texel, receiver.texel + 0.5 + texel, radius,
+                                max(offset, 1e-4)); // gaps are shares of it
 }
 
 crease_tap crease_stepped_tap(crease_stepped_march march, int step, int steps, int power) {
@@ -24,7 +26,8 @@ crease_tap crease_stepped_tap(crease_stepped_march march, int step, int steps, i
         density *= along;
     float distance = density * along;
     vec2 texel = clamp(floor(march.first + march.radius * distance), vec2(0.0), crease_depth_size() - 1.0);
-    return crease_tap(texel, true, density, distance, float(power) * scale / along);
+    bool inside = any(notEqual(texel, march.receiver)); // at the picture's edge it may find the receiver
+    return crease_tap(texel, inside, density, distance, float(power) * scale / along);
 }
 #ifdef __cplusplus
 ")glsl"
