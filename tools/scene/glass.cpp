@@ -19,7 +19,7 @@ namespace {
 
 constexpr glm::vec4 stone{0.78f, 0.76f, 0.72f, 1}, plaster{0.86f, 0.83f, 0.78f, 1},
     rubber{0.16f, 0.16f, 0.18f, 1}, metal{0.62f, 0.64f, 0.68f, 1}, leather{0.62f, 0.3f, 0.18f, 1},
-    paint_of_car{0.16f, 0.5f, 0.68f, 0.3f}, window{0.72f, 0.86f, 0.9f, 0.12f}, amber{0.9f, 0.6f, 0.2f, 0.25f},
+    paint_of_car{0.16f, 0.5f, 0.68f, 0.3f}, window{0.66f, 0.84f, 0.9f, 0.2f}, amber{0.9f, 0.6f, 0.2f, 0.25f},
     rose{0.85f, 0.4f, 0.5f, 0.5f}, green_glass{0.3f, 0.68f, 0.46f, 0.45f}, pane{0.45f, 0.62f, 0.8f, 1};
 
 glm::mat4 at(float x, float y, float z) {
@@ -130,12 +130,12 @@ void add_body(mesh& to, const glm::mat4& place) {
 /// Windows and roof.
 void add_cabin(mesh& to, const glm::mat4& place) {
     add_skin(to, place, 28, 32, [](float t, float u) {
-        const float x = -0.75f + 2.5f * t, high = 0.56f * std::sqrt(ramp(0, 0.38f, t) * ramp(1, 0.7f, t));
+        const float x = -0.75f + 2.5f * t, high = 0.68f * std::sqrt(ramp(0, 0.38f, t) * ramp(1, 0.7f, t));
         const float angle = 2 * std::numbers::pi_v<float> * u,
                     up = std::max(0.0f, bent(std::sin(angle), 0.5f));
         const float wide = 0.76f - 0.16f * up;
         return glm::vec3(x, 0.88f + high * up,
-                         std::min(1.0f, 3 * high) * wide * bent(std::cos(angle), 0.45f));
+                         std::min(1.0f, 2.5f * high) * wide * bent(std::cos(angle), 0.45f));
     });
     paint(to, {window});
 }
@@ -202,9 +202,9 @@ void add_shells(mesh& to) {
 
 /// A solid block, and panes of more and more opacity before a bar.
 void add_block_and_panes(mesh& to) {
-    add_box(to, {3.2f, 0, 2.2f}, {4.6f, 0.3f, 3.6f});
+    add_box(to, {2.8f, 0, 1.5f}, {4.2f, 0.3f, 2.9f});
     paint(to, {stone});
-    add_box(to, {-0.42f, 0, -0.42f}, {0.42f, 1.0f, 0.42f}, turned(at(3.9f, 0.3f, 2.9f), 24));
+    add_box(to, {-0.42f, 0, -0.42f}, {0.42f, 1.0f, 0.42f}, turned(at(3.5f, 0.29f, 2.2f), 24));
     paint(to, {green_glass});
     add_box(to, {3.0f, 0.5f, -3.2f}, {6.4f, 0.7f, -3.0f});
     add_box(to, {3.4f, 0, -3.2f}, {3.6f, 1.9f, -3.0f});
@@ -212,7 +212,7 @@ void add_block_and_panes(mesh& to) {
     paint(to, {leather});
     for (int i = 0; i < 5; ++i) {
         const float x = 2.9f + 0.72f * static_cast<float>(i), z = -2.75f + 0.16f * static_cast<float>(i);
-        add_box(to, {x, 0, z}, {x + 0.95f, 1.6f, z + 0.03f});
+        add_box(to, {x, -0.01f, z}, {x + 0.95f, 1.6f, z + 0.03f});
         paint(to, {glm::vec4(glm::vec3(pane), 0.1f + 0.2f * static_cast<float>(i))});
     }
 }
@@ -230,11 +230,11 @@ mesh glass_scene() {
 
 std::vector<camera> glass_cameras() {
     camera showroom{
-        .name = "showroom", .eye = {2.4f, 3.1f, 8.6f}, .target = {-0.7f, 0.7f, -0.6f}, .vfov_deg = 40};
+        .name = "showroom", .eye = {2.2f, 3.0f, 8.6f}, .target = {-0.8f, 0.6f, -0.6f}, .vfov_deg = 41};
     showroom.ao_radius = 0.8f;
     camera car{.name = "car", .eye = {-2.6f, 2.0f, 3.4f}, .target = {-0.7f, 0.7f, -0.1f}, .vfov_deg = 42};
     car.ao_radius = 0.6f;
-    camera panes{.name = "panes", .eye = {6.2f, 2.1f, 3.2f}, .target = {4.2f, 0.7f, -2.2f}, .vfov_deg = 50};
+    camera panes{.name = "panes", .eye = {5.8f, 2.2f, 5.0f}, .target = {3.6f, 0.5f, -1.4f}, .vfov_deg = 50};
     panes.ao_radius = 0.8f;
     return {showroom, car, panes};
 }
