@@ -21,6 +21,7 @@
 #include <crease/parts/depth/summed_area.hpp>
 #include <crease/parts/depth/summed_area_adaptive.hpp>
 #include <crease/parts/depth/summed_area_uniform.hpp>
+#include <crease/parts/dialect/glsl_es.hpp>
 #include <crease/parts/dialect/opengl.hpp>
 #include <crease/parts/dialect/vulkan.hpp>
 #include <crease/parts/estimator/cosine_bitmask.hpp>
@@ -170,6 +171,7 @@ inline constexpr const part* all_parts[] = {
     &functions_part::description,
     &vulkan_glsl::description,
     &opengl_glsl::description,
+    &glsl_es_part::description,
 };
 
 }
