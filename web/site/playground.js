@@ -22,13 +22,6 @@ class Playground {
     #runs = 0;
     #clock = 0;
 
-    static async open() {
-        const [crease, views] = await Promise.all([load(), list_of_views()]);
-        const page = new Playground(crease, views);
-        await page.#restore();
-        return page;
-    }
-
     constructor(crease, views) {
         Object.assign(this, {crease, views});
         this.stage = new Stage(by_id('picture'), crease);
@@ -66,7 +59,8 @@ class Playground {
         return parts.some(({name}) => name === 'orthographic') ? 'the cameras of this page are perspective' : '';
     }
 
-    async #restore() {
+    /** Shows what the address holds. */
+    async restore() {
         this.state = read_state(location.hash);
         const view = this.views.find(({name}) => name === this.state.view) ?? this.views[0];
         this.state.view = view.name;
@@ -204,7 +198,7 @@ class Playground {
         by_id('view').addEventListener('change', async ({target}) => {
             Object.assign(this.state, {view: target.value, radius: null});
             this.#remember();
-            await this.#restore();
+            await this.restore();
         });
         by_id('orbit').addEventListener('change', async ({target}) => {
             this.state.orbit = target.checked;
@@ -217,7 +211,7 @@ class Playground {
             by_id('link-copied').textContent = done;
             setTimeout(() => (by_id('link-copied').textContent = ''), 3000);
         });
-        addEventListener('hashchange', () => this.#restore());
+        addEventListener('hashchange', () => this.restore());
         this.#listen_to_moves();
     }
 
@@ -253,7 +247,9 @@ class Playground {
 }
 
 try {
-    globalThis.playground = await Playground.open(); // for the console and the tests
+    const [crease, views] = await Promise.all([load(), list_of_views()]);
+    globalThis.playground = new Playground(crease, views); // for the console and the tests
+    await globalThis.playground.restore();
 } catch (error) {
     by_id('refusal').textContent = error.message;
     throw error;
