@@ -107,6 +107,8 @@ ordered_json resource_of(const resource& r, const std::vector<std::string>& file
         told["samples"] = r.samples;
         told["centred"] = r.centred;
     }
+    if (!r.content.empty())
+        told["content"] = r.content;
     if (!r.meaning.empty())
         told["meaning"] = r.meaning;
     if (!r.previous_of.empty())
