@@ -39,12 +39,16 @@ public:
     /// @param recipe      the sampler, the depth source, the estimator and more, all but the depth encoding
     /// and normals
     /// @param last        the last pass that runs; where it is the packing, the depth image is before all
-    /// @param free_nodes  of a pool that is in use but for these; else all are free
+    /// @param free_nodes  of a pool that is in use but for these, of `linear_lists` all that the pool has,
+    /// and then at least 1; else all are free
+    /// @param rubbish     bits with which all is filled, before each frame, that an effect need not clear
     fragment_capture(const std::string& recipe, unsigned width, unsigned height,
                      lens seen_by = lens::standard, std::string_view last = "pack_layers",
-                     std::optional<unsigned> free_nodes = {});
+                     std::optional<unsigned> free_nodes = {}, std::optional<std::uint32_t> rubbish = {});
 
-    void draw(const triangles& scene);
+    void draw(const triangles& scene) { draw(scene, scene); }
+    /// Draws one scene in the first geometry pass, and another in those after it.
+    void draw(const triangles& first, const triangles& others);
     crease::vulkan::runner& runner() { return *runner_; }
     /// Sets a setting, or the radius.
     void set(std::string_view name, float value);
@@ -52,11 +56,18 @@ public:
     std::uint32_t count_in(std::string_view buffer) const;
     /// What is packed for a texel, row by row: nearest first.
     std::vector<std::vector<fragment>> packed(std::size_t layers) const;
-    /// Of `linked_lists` what is in the list of a texel, its nearest included, in the order of keys; a list
-    /// that does not end fails the test.
+    /// What is in the list of a texel, its nearest included, in the order of keys; a linked list that does
+    /// not end fails the test.
     std::vector<std::vector<fragment>> listed() const;
 
 private:
+    using keys_of_texels = std::vector<std::vector<std::uint32_t>>; ///< the nearest first
+
+    keys_of_texels linked() const;
+    keys_of_texels linear() const;
+    std::vector<std::uint32_t> words_in(std::string_view buffer) const;
+    bool has(std::string_view resource) const;
+
     unsigned width_, height_;
     glm::mat4 projection_;
     std::unique_ptr<crease::composition> composed_;

@@ -207,6 +207,10 @@ constexpr void widen_stored(plan& p) {
 /// Gives each pass of the chain from `first` on what it writes: the last the images that leave the effect.
 constexpr void connect_chain(plan& p, std::size_t first) {
     const choice& output = p.chosen(role::output);
+    if (p.passes.size() - first > std::size(between)) {
+        p.refused = {rules::few_passes, p.chosen(role::estimator).what->name};
+        return;
+    }
     for (std::size_t i = first; i < p.passes.size(); ++i) {
         planned_pass& pass = p.passes[i];
         pass.last = i + 1 == p.passes.size();
@@ -261,7 +265,7 @@ constexpr plan make_plan(array_view<const choice> choices) {
     planning::widen_stored(p);
     if (p.resources.cut || p.settings.cut || p.views > 1 + most_further_views)
         p.refused = {rules::few_resources, choices[2].what->name};
-    if (p.passes.cut || p.passes.size() - first > std::size(planning::between))
+    if (p.passes.cut)
         p.refused = {rules::few_passes, choices[2].what->name};
     return p;
 }

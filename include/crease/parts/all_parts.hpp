@@ -12,6 +12,7 @@
 #include <crease/parts/coverage/stratified.hpp>
 #include <crease/parts/depth/depth_pyramid.hpp>
 #include <crease/parts/depth/layer_array.hpp>
+#include <crease/parts/depth/linear_lists.hpp>
 #include <crease/parts/depth/linked_lists.hpp>
 #include <crease/parts/depth/mip_chain.hpp>
 #include <crease/parts/depth/n_buffer.hpp>
@@ -112,6 +113,7 @@ inline constexpr const part* all_parts[] = {
     &stochastic_layers_part::description,
     &layer_array_part::description,
     &linked_lists_part::description,
+    &linear_lists_part::description,
     &peeled_layers_part::description,
     &summed_area_part::description,
     &summed_area_uniform_part::description,

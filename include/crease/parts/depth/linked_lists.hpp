@@ -22,15 +22,8 @@ inline constexpr glsl_file linked_lists_sort_glsl{
 };
 
 struct linked_lists_part {
-    static constexpr number takes[] = {
-        fragment_layers_number,
-        {"nodes", 1, 64, 8, "size of the pool: nodes for each texel, on average; each texel has one more"},
-        capture_places[0],
-        capture_places[1],
-        capture_places[2]};
-    static constexpr void shape_nodes(resource& own, const shape_of& effect) {
-        own.layers = static_cast<unsigned>(effect.own.numbers[1]);
-    }
+    static constexpr number takes[] = {fragment_layers_number, pool_nodes_number, capture_places[0],
+                                       capture_places[1], capture_places[2]};
     static constexpr resource owns[] = {
         {.name = "list_heads", // the nearest fragment of a texel, and the first node of the others
          .texels = format::r32_uint,
@@ -46,21 +39,20 @@ struct linked_lists_part {
          .element = "uvec2",
          .life = lifetime::transient,
          .size = {.guarded = true},
-         .shape = shape_nodes},
+         .shape = shape_pool},
         {.name = "node_count",
          .kind = resource_kind::buffer,
          .element = "uint",
          .life = lifetime::transient,
          .size = {.fixed_width = 1, .fixed_height = 1},
          .cleared = true},
-        fragments_lost("fragments_beyond_pool",
-                       "fragments that found the pool of nodes full: more nodes for each texel keep them"),
+        fragments_beyond_pool,
         fragments_beyond_layers,
         packed_layers};
     static constexpr const glsl_file* drawing[] = {&linked_lists_draw_glsl, &fragment_key_glsl,
                                                    &fragments_glsl};
     static constexpr const glsl_file* packing[] = {&pack_fragments_glsl, &linked_lists_sort_glsl,
-                                                   &fragments_glsl};
+                                                   &insert_fragment_glsl, &fragments_glsl};
     static constexpr std::string_view drawn[] = {"list_heads", "list_nodes", "node_count",
                                                  "fragments_beyond_pool"};
     static constexpr step passes[] = {{.name = "capture_layers",
