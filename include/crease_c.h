@@ -45,7 +45,8 @@ typedef enum crease_stage {
 /// Which GLSL a pass is written in.
 typedef enum crease_dialect {
     CREASE_DIALECT_VULKAN, ///< GLSL 450 for Vulkan 1.1 and up
-    CREASE_DIALECT_OPENGL  ///< GLSL 430 for OpenGL 4.3 and up
+    CREASE_DIALECT_OPENGL, ///< GLSL 430 for OpenGL 4.3 and up
+    CREASE_DIALECT_GLSL_ES ///< GLSL ES 3.00 for WebGL 2 and OpenGL ES 3.0, or 3.10 for OpenGL ES 3.1 and up
 } crease_dialect;
 
 /// How a compute pass covers its output.
@@ -176,6 +177,7 @@ typedef struct crease_resource {
     uint32_t clear;            ///< bits of each component
     const uint32_t* texels; ///< of a constant: its texels, one 32-bit number each, row after row; else NULL
     uint32_t texel_count;   ///< of `texels`
+    const char* content;    ///< of an input: what the host gives, such as "device_depth"; else ""
 } crease_resource;
 
 /// A real number that a host may change each frame.

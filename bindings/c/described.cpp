@@ -17,6 +17,7 @@ CREASE_SAME(CREASE_STAGE_FUNCTIONS, stage_kind::functions);
 CREASE_SAME(CREASE_STAGE_GEOMETRY, stage_kind::geometry);
 CREASE_SAME(CREASE_DIALECT_VULKAN, dialect_kind::vulkan);
 CREASE_SAME(CREASE_DIALECT_OPENGL, dialect_kind::opengl);
+CREASE_SAME(CREASE_DIALECT_GLSL_ES, dialect_kind::glsl_es);
 CREASE_SAME(CREASE_DISPATCH_TEXELS, dispatch::texels);
 CREASE_SAME(CREASE_DISPATCH_ROWS, dispatch::rows);
 CREASE_SAME(CREASE_DISPATCH_COLUMNS, dispatch::columns);
@@ -118,7 +119,8 @@ crease_resource described(arena& memory, const resource& r) {
                          r.cleared,
                          r.clear,
                          nullptr,
-                         0};
+                         0,
+                         memory.text(r.content)};
     if (r.fill) { // a constant is of a fixed size
         made.texel_count = r.size.fixed_width * r.size.fixed_height * r.layers;
         auto* texels = memory.allocate<std::uint32_t>(made.texel_count);

@@ -54,7 +54,9 @@
 #include <crease/parts/output_format/rgba8.hpp>
 #include <crease/parts/reads/image_load.hpp>
 #include <crease/parts/reads/texel_fetch.hpp>
+#include <crease/parts/receivers/every_layer.hpp>
 #include <crease/parts/receivers/first_surface.hpp>
+#include <crease/parts/receivers/thin_layers.hpp>
 #include <crease/parts/sampler/box_area.hpp>
 #include <crease/parts/sampler/box_window.hpp>
 #include <crease/parts/sampler/directions.hpp>
@@ -85,10 +87,16 @@
 #include <crease/parts/view/given_normals.hpp>
 #include <crease/parts/view/linear_depth.hpp>
 #include <crease/parts/view/linearised_depth.hpp>
+#include <crease/parts/view/logarithmic_depth.hpp>
+#include <crease/parts/view/octahedral_normals.hpp>
+#include <crease/parts/view/octahedral_world_normals.hpp>
 #include <crease/parts/view/orthographic.hpp>
+#include <crease/parts/view/packed_normals.hpp>
+#include <crease/parts/view/packed_world_normals.hpp>
 #include <crease/parts/view/perspective.hpp>
 #include <crease/parts/view/reconstructed_normals.hpp>
 #include <crease/parts/view/second_view.hpp>
+#include <crease/parts/view/world_normals.hpp>
 
 namespace crease {
 
@@ -161,7 +169,13 @@ inline constexpr const part* all_parts[] = {
     &device_depth::description,
     &linear_depth::description,
     &linearised_depth::description,
+    &logarithmic_depth::description,
     &given_normals::description,
+    &packed_normals::description,
+    &octahedral_normals::description,
+    &world_normals::description,
+    &packed_world_normals::description,
+    &octahedral_world_normals::description,
     &reconstructed_normals::description,
     &hashed_noise::description,
     &tiled_noise_part::description,
@@ -169,6 +183,8 @@ inline constexpr const part* all_parts[] = {
     &hilbert_r2_noise::description,
     &blue_noise::description,
     &first_surface::description,
+    &every_layer::description,
+    &thin_layers::description,
     &texel_fetch::description,
     &image_load::description,
     &compute_part::description,
