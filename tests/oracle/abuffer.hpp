@@ -55,7 +55,8 @@ public:
     /// @param free_nodes  of a pool that is in use but for these; else all are free
     fragment_capture(const std::string& recipe, unsigned width, unsigned height,
                      lens seen_by = lens::standard, std::string_view last = "pack_layers",
-                     std::optional<unsigned> free_nodes = {});
+                     std::optional<unsigned> free_nodes = {},
+                     std::string_view normals = "reconstructed_normals");
 
     /// @param colors  of the triangles, in turn, where the effect captures surfaces
     void draw(const triangles& scene, const std::array<std::uint32_t, 16>& colors = every_color());
@@ -70,6 +71,8 @@ public:
     std::vector<std::vector<fragment>> packed(std::size_t layers) const;
     /// What receivers read of a texel, row by row: nearest first.
     std::vector<std::vector<surface_fragment>> surfaces() const;
+    /// What a layer compression keeps of a texel, row by row: nearest first, without colours.
+    std::vector<std::vector<surface_fragment>> nodes() const;
     /// The opacities of the packed layers of a texel, nearest first; as many as there are surfaces.
     std::vector<std::vector<std::uint32_t>> opacities() const;
     /// Of `linked_lists` what is in the list of a texel, its nearest included, in the order of keys; a list
