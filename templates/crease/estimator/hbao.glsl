@@ -68,7 +68,7 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
     float falloff = 1.0 - squared * march.reach;
     bool counts =
         tap.inside && rise > march.rise && falloff > 0.0 && height > crease_hbao_threshold * sqrt(squared);
-    return counts ? crease_contribution(falloff * (rise - march.rise), rise) : crease_contribution(0.0, march.rise);
+    return crease_contribution(counts ? falloff * (rise - march.rise) : 0.0, counts ? rise : march.rise);
 }
 
 // A layer with an opacity raises the horizon by that share of its rise over the horizon's start, whichever taps came before.
