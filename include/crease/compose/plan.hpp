@@ -11,7 +11,7 @@
 namespace crease {
 
 /// The most passes and resources that an effect may have, and the most outputs of a pass.
-inline constexpr std::size_t most_passes = 32, most_resources = 48, most_outputs = 4;
+inline constexpr std::size_t most_passes = 32, most_resources = 48, most_outputs = 8;
 
 /// A pass before its text: which step of which part, and between which resources.
 struct planned_pass {
@@ -49,6 +49,14 @@ struct plan {
     constexpr const choice& chosen(role r) const { return *find(r); }
     constexpr bool is_vulkan() const {
         return !has(chosen(role::dialect).what->offers, &opengl_words::value);
+    }
+
+    /// Whether any part needs a trait of another.
+    constexpr bool needs(const trait* wanted) const {
+        for (const choice& c : parts)
+            if (has(c.what->needs, wanted))
+                return true;
+        return false;
     }
 
     /// The resource that a camera's pass finds under a name; -1 where there is none.

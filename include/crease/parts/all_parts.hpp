@@ -51,7 +51,9 @@
 #include <crease/parts/output_format/rgba8.hpp>
 #include <crease/parts/reads/image_load.hpp>
 #include <crease/parts/reads/texel_fetch.hpp>
+#include <crease/parts/receivers/every_layer.hpp>
 #include <crease/parts/receivers/first_surface.hpp>
+#include <crease/parts/receivers/thin_layers.hpp>
 #include <crease/parts/sampler/box_area.hpp>
 #include <crease/parts/sampler/box_window.hpp>
 #include <crease/parts/sampler/directions.hpp>
@@ -162,6 +164,8 @@ inline constexpr const part* all_parts[] = {
     &hilbert_r2_noise::description,
     &blue_noise::description,
     &first_surface::description,
+    &every_layer::description,
+    &thin_layers::description,
     &texel_fetch::description,
     &image_load::description,
     &compute_part::description,
