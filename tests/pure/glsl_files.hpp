@@ -21,8 +21,9 @@ inline std::set<const crease::glsl_file*> all_glsl_files() {
         }
     }
     add(crease::core_files);
-    for (const crease::glsl_file* file : {&crease::build_glsl, &crease::build_rows_glsl,
-                                          &crease::build_columns_glsl, &crease::fullscreen_glsl})
+    for (const crease::glsl_file* file :
+         {&crease::build_glsl, &crease::build_rows_glsl, &crease::build_columns_glsl,
+          &crease::fullscreen_glsl, &crease::glsl_es_300_glsl})
         all.insert(file);
     return all;
 }

@@ -42,7 +42,7 @@ inline void add_emit_arguments(CLI::App& command, emit_options& options) {
         .add_option("--stage", options.stage, "what the passes run as; else as the recipe says, or compute")
         ->check(CLI::IsMember({"compute", "fragment"}));
     command.add_option("--dialect", options.dialect, "which GLSL; else as the recipe says, or vulkan")
-        ->check(CLI::IsMember({"vulkan", "opengl"}));
+        ->check(CLI::IsMember({"vulkan", "opengl", "glsl_es:300", "glsl_es:310"}));
     command
         .add_option("--shape", options.shape,
                     "whole programs, or functions for a shader of your own; else as the recipe says")

@@ -22,12 +22,12 @@ namespace crease::tools {
 
 namespace {
 
-/// Adds a part that an option names, unless the recipe has it already.
+/// Adds a part that an option names, with or without its numbers, unless the recipe has it already.
 /// @throws std::runtime_error  where the recipe has another of its role
 void add_part(std::string& text, const recipe& given, role of, std::string_view option,
               std::string_view part) {
     for (const choice& c : given.choices())
-        if (c.what->kind == of && c.what->name == part)
+        if (c.what->kind == of && (c.what->name == part || recipe_text({&c, 1}).view() == part))
             return;
         else if (c.what->kind == of)
             throw std::runtime_error(fmt::format(
@@ -108,7 +108,7 @@ void add_translations(std::vector<file>& files, emission& of, const translate::t
 }
 
 constexpr bool is_without_spirv(const pass& p) {
-    return p.stage == stage_kind::functions || p.dialect == dialect_kind::opengl;
+    return p.stage == stage_kind::functions || p.dialect != dialect_kind::vulkan;
 }
 
 std::vector<file> files_of(emission& of, const std::set<emit_format>& formats,
@@ -148,7 +148,7 @@ void expect_spirv(const emit_options& options, const effect_view& effect) {
     if (is_asked_for && std::ranges::any_of(effect.passes, is_without_spirv))
         throw std::runtime_error(
             "SPIR-V, and what is made of it, can be emitted of programs in the vulkan dialect only: "
-            "functions and the opengl dialect come as GLSL, by --format glsl or header");
+            "functions and the dialects opengl and glsl_es come as GLSL, by --format glsl or header");
     const bool makes_spirv = !options.target && options.formats != std::set{emit_format::glsl} &&
                              std::ranges::any_of(effect.passes, has_spirv);
     if (options.spirv.any() && !makes_spirv)

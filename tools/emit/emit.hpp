@@ -17,11 +17,12 @@ namespace crease::tools {
 enum class emit_format { glsl, spirv, spirv_asm, header };
 
 struct emit_options {
-    std::string recipe;                          ///< see crease::recipe
-    std::optional<std::string> stage{};          ///< "compute" or "fragment"; unset: as the recipe says
-    std::optional<std::string> dialect{};        ///< "vulkan" or "opengl"; unset: as the recipe says
-    std::optional<std::string> shape{};          ///< "program" or "functions"; unset: as the recipe says
-    std::set<emit_format> formats{};             ///< none: GLSL
+    std::string recipe;                   ///< see crease::recipe
+    std::optional<std::string> stage{};   ///< "compute" or "fragment"; unset: as the recipe says
+    std::optional<std::string> dialect{}; ///< "vulkan", "opengl", "glsl_es:300" or ":310"; unset: as the
+                                          ///< recipe says
+    std::optional<std::string> shape{};   ///< "program" or "functions"; unset: as the recipe says
+    std::set<emit_format> formats{};      ///< none: GLSL
     std::optional<translate::language> target{}; ///< in place of formats
     std::optional<unsigned> target_version{};    ///< of the target; unset: 50, 21, 310 or 430
     spirv_options spirv{};                       ///< refused where no SPIR-V is made

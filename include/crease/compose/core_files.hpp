@@ -70,6 +70,11 @@ inline constexpr glsl_file result_glsl{
 #include <crease/core/result.glsl>
 };
 
+inline constexpr glsl_file bits_glsl{
+    "core/bits.glsl",
+#include <crease/core/bits.glsl>
+};
+
 inline constexpr glsl_file no_normal_glsl{
     "core/no_normal.glsl",
 #include <crease/core/no_normal.glsl>
@@ -104,6 +109,6 @@ inline constexpr glsl_file build_columns_glsl{
 inline constexpr const glsl_file* core_files[] = {
     &view_glsl,   &texels_glsl,    &receiver_glsl,    &layer_glsl,        &fetch_glsl,    &combine_glsl,
     &fade_glsl,   &blend_glsl,     &skip_behind_glsl, &slice_weight_glsl, &gathered_glsl, &gather_glsl,
-    &result_glsl, &no_normal_glsl, &strength_glsl,    &pixel_glsl};
+    &result_glsl, &no_normal_glsl, &strength_glsl,    &pixel_glsl,        &bits_glsl};
 
 }

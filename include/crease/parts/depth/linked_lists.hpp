@@ -32,15 +32,10 @@ inline constexpr glsl_file linked_surfaces_sort_glsl{
 };
 
 struct linked_lists_part {
-    static constexpr number takes[] = {
-        fragment_layers_number,
-        {"nodes", 1, 64, 8,
-         "size of the pool: nodes for each texel, on average; each texel has one more, for the nearest"},
-        capture_places[0],
-        capture_places[1],
-        capture_places[2]};
+    static constexpr number takes[] = {fragment_layers_number, pool_nodes_number, capture_places[0],
+                                       capture_places[1], capture_places[2]};
     static constexpr void shape_nodes(resource& own, const shape_of& effect) {
-        own.layers = static_cast<unsigned>(effect.own.numbers[1]);
+        shape_pool(own, effect);
         if (effect.needs(&layers_with_opacity::value))
             own.element = "uvec4";
     }
@@ -71,12 +66,13 @@ struct linked_lists_part {
          .life = lifetime::transient,
          .size = {.fixed_width = 1, .fixed_height = 1},
          .cleared = true},
-        fragments_lost("fragments_beyond_pool",
-                       "fragments that found the pool of nodes full: more nodes for each texel keep them"),
+        fragments_beyond_pool,
         fragments_beyond_layers,
         packed_layers,
         packed_opacities,
-        layer_surfaces};
+        layer_surfaces,
+        compressed_layers,
+        compressed_normals};
     static constexpr const glsl_file* drawing_surfaces[] = {
         &linked_surfaces_draw_glsl, &encoding_surface_normal_glsl, &encoding_octahedron_glsl};
     static constexpr const glsl_file* packing_surfaces[] = {&pack_surfaces_glsl, &linked_surfaces_sort_glsl,
@@ -84,7 +80,7 @@ struct linked_lists_part {
     static constexpr const glsl_file* drawing[] = {&linked_lists_draw_glsl, &fragment_key_glsl,
                                                    &fragments_glsl};
     static constexpr const glsl_file* packing[] = {&pack_fragments_glsl, &linked_lists_sort_glsl,
-                                                   &fragments_glsl};
+                                                   &insert_fragment_glsl, &fragments_glsl};
     static constexpr std::string_view drawn[] = {"list_heads", "list_nodes", "node_count",
                                                  "fragments_beyond_pool"};
     static constexpr step passes[] = {{.name = "capture_layers",
