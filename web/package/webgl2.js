@@ -84,7 +84,7 @@ function link(gl, {name, shaders}) {
 export class WebGL2Effect {
     #gl;
     #block;
-    #manifest;
+    #inputs;
     #textures = new Map();
     #owned = [];
     #passes = [];
@@ -100,7 +100,6 @@ export class WebGL2Effect {
             throw new Error('crease: the device cannot draw to images of floats: EXT_color_buffer_float is missing');
         Object.assign(this, {width, height, guard});
         this.#gl = gl;
-        this.#manifest = manifest;
         this.#block = new Block(manifest.uniform_block);
         this.#buffer = gl.createBuffer();
         gl.bindBuffer(gl.UNIFORM_BUFFER, this.#buffer);
@@ -112,9 +111,11 @@ export class WebGL2Effect {
             [gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE], [gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE],
         ])
             gl.samplerParameteri(this.#sampler, name, value);
+        const images = manifest.resources.filter(({kind}) => kind === 'image');
+        this.#inputs = images.filter(({lifetime}) => lifetime === 'input').map(({name}) => name);
         try {
-            for (const resource of manifest.resources.filter(({lifetime}) => lifetime !== 'input'))
-                this.#make(resource);
+            for (const image of images.filter(({lifetime}) => lifetime !== 'input'))
+                this.#make(image);
             this.#passes = manifest.passes.map((pass) => this.#prepare(pass));
         } catch (error) {
             this.dispose();
@@ -133,8 +134,7 @@ export class WebGL2Effect {
     }
 
     bind(name, texture) {
-        const input = this.#manifest.resources.find((each) => each.name === name && each.lifetime === 'input');
-        if (!input)
+        if (!this.#inputs.includes(name))
             throw new RangeError(`crease: the effect has no input '${name}'`);
         this.#textures.set(name, texture);
     }
@@ -145,9 +145,9 @@ export class WebGL2Effect {
 
     run() {
         const gl = this.#gl;
-        for (const {name, lifetime} of this.#manifest.resources)
-            if (lifetime === 'input' && !this.#textures.has(name))
-                throw new Error(`crease: nothing is bound to the input '${name}'`);
+        const unbound = this.#inputs.find((name) => !this.#textures.has(name));
+        if (unbound)
+            throw new Error(`crease: nothing is bound to the input '${unbound}'`);
         gl.disable(gl.BLEND);
         gl.disable(gl.CULL_FACE);
         gl.disable(gl.DEPTH_TEST);
@@ -173,9 +173,7 @@ export class WebGL2Effect {
         gl.deleteSampler(this.#sampler);
     }
 
-    #make({name, kind, format, size, texels}) {
-        if (kind !== 'image')
-            return;
+    #make({name, format, size, texels}) {
         const gl = this.#gl;
         const [internal, pixels, type] = pixel_formats(gl)[format];
         const [width, height] = size_of(size, this.width, this.height, this.guard);
