@@ -145,17 +145,23 @@ class Playground {
         const {stage, state} = this;
         const run = ++this.#runs;
         stage.run({radius: this.radius, settings: state.settings});
-        stage.draw(state);
+        this.#draw();
         document.body.dataset.drawn = state.recipe;
         if (!stage.orbit) {
             const visibility = await stage.visibility();
             for (const kind of ['hard', 'linear'])
                 this.#measure_errors(kind, visibility, await stage.truth(kind));
             if (run === this.#runs)
-                stage.draw(state);
+                this.#draw();
         }
         clearTimeout(this.#clock);
         this.#clock = setTimeout(() => this.#measure_time(), 300);
+    }
+
+    #draw() {
+        this.stage.draw(this.state);
+        const compared = !this.stage.orbit && this.state.beside !== 'nothing';
+        by_id('beside-name').textContent = compared ? by_id('beside').selectedOptions[0]?.textContent ?? '' : '';
     }
 
     #measure_errors(kind, visibility, truth) {
@@ -165,11 +171,10 @@ class Playground {
     }
 
     async #measure_time() {
-        const {stage, state} = this;
+        const {stage} = this;
         const {milliseconds, how} = await measure(stage.gl, () => stage.effect.run());
         by_id('milliseconds').textContent = milliseconds.toFixed(2);
         by_id('milliseconds').title = how;
-        stage.draw(state);
     }
 
     #remember() {
@@ -179,7 +184,7 @@ class Playground {
     #listen() {
         const redraw = () => {
             this.#remember();
-            this.stage.draw(this.state);
+            this.#draw();
         };
         by_id('split').addEventListener('input', ({target}) => {
             this.state.split = Number(target.value);
