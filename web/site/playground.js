@@ -66,10 +66,10 @@ class Playground {
         this.state.view = view.name;
         for (const id of ['view', 'truth', 'split', 'beside'])
             by_id(id).value = this.state[id];
-        by_id('orbit').checked = this.state.orbit;
+        by_id('orbit').checked = this.state.orbit !== null;
         if (this.stage.view !== view)
             await this.stage.set_view(view);
-        await this.stage.set_orbit(this.state.orbit ? [0, 0, 1] : null);
+        await this.stage.set_orbit(this.state.orbit);
         this.effect_recipe = null;
         await this.#compose();
     }
@@ -147,7 +147,10 @@ class Playground {
         stage.run({radius: this.radius, settings: state.settings});
         this.#draw();
         document.body.dataset.drawn = state.recipe;
-        if (!stage.orbit) {
+        if (stage.orbit) {
+            for (const id of ['rmse-hard', 'rmse-linear', 'ssim-hard', 'ssim-linear'])
+                by_id(id).textContent = '–'; // the camera has no truth
+        } else {
             const visibility = await stage.visibility();
             for (const kind of ['hard', 'linear'])
                 this.#measure_errors(kind, visibility, await stage.truth(kind));
@@ -206,9 +209,9 @@ class Playground {
             await this.restore();
         });
         by_id('orbit').addEventListener('change', async ({target}) => {
-            this.state.orbit = target.checked;
+            this.state.orbit = target.checked ? [0, 0, 1] : null;
             this.#remember();
-            await this.stage.set_orbit(target.checked ? [0, 0, 1] : null);
+            await this.stage.set_orbit(this.state.orbit);
             this.#next_frame();
         });
         by_id('link').addEventListener('click', async () => {
@@ -227,8 +230,11 @@ class Playground {
             const {orbit} = this.stage;
             if (!orbit)
                 return;
-            this.stage.orbit = [orbit[0] + across, orbit[1] + up, Math.min(Math.max(orbit[2] * distance, 0.2), 4)];
-            this.#next_frame();
+            const rounded = (number) => Math.round(number * 1000) / 1000;
+            this.#set(() => {
+                this.state.orbit = [orbit[0] + across, orbit[1] + up, Math.min(Math.max(orbit[2] * distance, 0.2), 4)].map(rounded);
+                this.stage.orbit = this.state.orbit;
+            });
         };
         canvas.addEventListener('pointerdown', ({pointerId}) => canvas.setPointerCapture(pointerId));
         canvas.addEventListener('pointermove', ({buttons, movementX, movementY}) => {
