@@ -177,6 +177,7 @@ typedef struct crease_resource {
     uint32_t clear;            ///< bits of each component
     const uint32_t* texels; ///< of a constant: its texels, one 32-bit number each, row after row; else NULL
     uint32_t texel_count;   ///< of `texels`
+    const char* content;    ///< of an input: what the host gives, such as "device_depth"; else ""
 } crease_resource;
 
 /// A real number that a host may change each frame.

@@ -119,7 +119,8 @@ crease_resource described(arena& memory, const resource& r) {
                          r.cleared,
                          r.clear,
                          nullptr,
-                         0};
+                         0,
+                         memory.text(r.content)};
     if (r.fill) { // a constant is of a fixed size
         made.texel_count = r.size.fixed_width * r.size.fixed_height * r.layers;
         auto* texels = memory.allocate<std::uint32_t>(made.texel_count);

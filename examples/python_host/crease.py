@@ -29,7 +29,8 @@ class Resource(Structure):
     _fields_ = [("name", c_char_p), ("kind", c_int), ("format", c_int), ("element", c_char_p), ("lifetime", c_int),
                 ("size", Extent), ("meaning", c_char_p), ("layers", c_uint32), ("levels", c_uint32),
                 ("samples", c_uint32), ("arrayed", c_uint32), ("centred", c_uint32), ("previous_of", c_char_p),
-                ("cleared", c_uint32), ("clear", c_uint32), ("texels", POINTER(c_uint32)), ("texel_count", c_uint32)]
+                ("cleared", c_uint32), ("clear", c_uint32), ("texels", POINTER(c_uint32)), ("texel_count", c_uint32),
+                ("content", c_char_p)]
 
 
 class Setting(Structure):

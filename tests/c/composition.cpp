@@ -83,6 +83,7 @@ void check_same(const crease_resource& c, const crease::resource& cpp) {
     CHECK(c.previous_of == cpp.previous_of);
     CHECK((c.cleared != 0) == cpp.cleared);
     CHECK(c.clear == cpp.clear);
+    CHECK(std::string_view(c.content) == cpp.content);
     if (cpp.fill) {
         std::vector<std::uint32_t> texels(c.texel_count);
         REQUIRE(c.texel_count == cpp.size.fixed_width * cpp.size.fixed_height);

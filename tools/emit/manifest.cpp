@@ -119,6 +119,8 @@ ordered_json resource_of(const resource& r, const std::vector<std::string>& file
     }
     if (r.levels > 1)
         told["levels"] = r.levels;
+    if (!r.content.empty())
+        told["content"] = r.content;
     if (!r.meaning.empty())
         told["meaning"] = r.meaning;
     if (!r.previous_of.empty())

@@ -111,6 +111,8 @@ export interface Resource {
     arrayed?: boolean;
     samples?: number;
     centred?: boolean;
+    /** Of an input: what the host gives, such as "device_depth" or "packed_view_normals". */
+    content?: string;
     meaning?: string;
     previous_of?: string;
     clear?: number;

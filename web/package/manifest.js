@@ -48,6 +48,8 @@ function resource_of(resource) {
         Object.assign(described, {arrayed: resource.arrayed, samples: resource.samples, centred: resource.centred});
     if (resource.levels > 1)
         described.levels = resource.levels;
+    if (resource.content)
+        described.content = resource.content;
     if (resource.meaning)
         described.meaning = resource.meaning;
     if (resource.previous_of)

@@ -99,6 +99,7 @@ const resource = struct({
     clear: u32,
     texels: list('texel_count', u32),
     texel_count: u32,
+    content: text,
 });
 
 const setting = struct({

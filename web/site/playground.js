@@ -17,6 +17,9 @@ import {list_of_views} from './views.js';
 const host = ['linear_depth', 'fragment', 'glsl_es:300'];
 const host_roles = ['depth encoding', 'stage', 'dialect'];
 
+/** What the images of a view hold, in the words of manifests. */
+const inputs = {depth: 'linear_depth', normal: 'view_normals'};
+
 class Playground {
     #frame = 0; // that is requested; 0: none
     #runs = 0;
@@ -52,10 +55,10 @@ class Playground {
             throw error;
         }
         const {resources, parts} = this.crease.compose(this.recipes.hosted(this.#words(recipe)));
-        const missing = resources.find(({name, kind, lifetime}) =>
-            kind === 'image' && lifetime === 'input' && !['depth', 'normal'].includes(name));
+        const missing = resources.find(({name, kind, lifetime, content}) =>
+            kind === 'image' && lifetime === 'input' && inputs[name] !== content);
         if (missing)
-            return `this page has no input '${missing.name}'`;
+            return `this page has no input '${missing.name}' that holds ${missing.content || 'what it needs'}`;
         return parts.some(({name}) => name === 'orthographic') ? 'the cameras of this page are perspective' : '';
     }
 

@@ -83,10 +83,16 @@
 #include <crease/parts/view/given_normals.hpp>
 #include <crease/parts/view/linear_depth.hpp>
 #include <crease/parts/view/linearised_depth.hpp>
+#include <crease/parts/view/logarithmic_depth.hpp>
+#include <crease/parts/view/octahedral_normals.hpp>
+#include <crease/parts/view/octahedral_world_normals.hpp>
 #include <crease/parts/view/orthographic.hpp>
+#include <crease/parts/view/packed_normals.hpp>
+#include <crease/parts/view/packed_world_normals.hpp>
 #include <crease/parts/view/perspective.hpp>
 #include <crease/parts/view/reconstructed_normals.hpp>
 #include <crease/parts/view/second_view.hpp>
+#include <crease/parts/view/world_normals.hpp>
 
 namespace crease {
 
@@ -157,7 +163,13 @@ inline constexpr const part* all_parts[] = {
     &device_depth::description,
     &linear_depth::description,
     &linearised_depth::description,
+    &logarithmic_depth::description,
     &given_normals::description,
+    &packed_normals::description,
+    &octahedral_normals::description,
+    &world_normals::description,
+    &packed_world_normals::description,
+    &octahedral_world_normals::description,
     &reconstructed_normals::description,
     &hashed_noise::description,
     &tiled_noise_part::description,
