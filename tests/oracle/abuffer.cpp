@@ -24,6 +24,46 @@ void main() { crease_capture(vec3(0.0)); }
 
 constexpr std::uint32_t no_key = ~0u;
 
+// With the surface of a triangle: its normal, and its colour in turn.
+struct surface_constants {
+    glm::mat4 clip_from_view;
+    color_table colors;
+};
+
+constexpr crease::piece surface_vertex[] = {{"vertex", R"glsl(#version 450
+layout(push_constant) uniform transforms { mat4 clip_from_view; uint colors[16]; };
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 0) flat out vec3 facing;
+layout(location = 1) flat out uint triangle;
+void main() {
+    gl_Position = clip_from_view * vec4(position, 1.0);
+    facing = normal;
+    triangle = uint(gl_VertexIndex) / 3u;
+}
+)glsl"}};
+constexpr crease::piece surface_text[] = {{"fragment", R"glsl(
+layout(push_constant) uniform transforms { mat4 clip_from_view; uint colors[16]; };
+layout(location = 0) flat in vec3 facing;
+layout(location = 1) flat in uint triangle;
+void main() { crease_capture(vec3(0.0), facing, unpackUnorm4x8(colors[triangle % 16u])); }
+)glsl"}};
+
+bool captures_surfaces(const crease::effect_view& effect) {
+    return std::ranges::any_of(effect.passes, &crease::pass::takes_surfaces);
+}
+
+/// As `crease_unpack_surface_normal`, by the octahedron that it is on.
+glm::dvec3 normal_of(std::uint32_t word) {
+    const double x = (static_cast<double>(word & 4095u) - 2048) / 2047,
+                 y = (static_cast<double>(word >> 12 & 4095u) - 2048) / 2047;
+    const double z = 1 - std::abs(x) - std::abs(y);
+    if (z >= 0)
+        return glm::normalize(glm::dvec3(x, y, z));
+    return glm::normalize(
+        glm::dvec3(std::copysign(1 - std::abs(y), x), std::copysign(1 - std::abs(x), y), z));
+}
+
 /// Of which side of the edge from a to b a point lies, texels; positive: to the left, with y up.
 double side_of(glm::dvec2 a, glm::dvec2 b, glm::dvec2 point) {
     const glm::dvec2 edge = b - a, to_point = point - a;
@@ -34,6 +74,15 @@ bool is_nearer(const fragment& a, const fragment& b) {
     return a.depth < b.depth || (a.depth == b.depth && !a.back && b.back);
 }
 
+}
+
+color_table every_color() {
+    color_table all{};
+    for (std::uint32_t i = 0; i < 16; ++i) {
+        const std::uint32_t opacity = i == 3 ? 0 : i == 7 ? 255 : 17 + 13 * i;
+        all[i] = (40 + 11 * i) | (200 - 9 * i) << 8 | (7 * i) << 16 | opacity << 24;
+    }
+    return all;
 }
 
 fragment_lists rasterise(const triangles& scene, lens seen_by, int width, int height) {
@@ -64,7 +113,7 @@ fragment_lists rasterise(const triangles& scene, lens seen_by, int width, int he
                 p.ray(centre, origin, direction);
                 const double towards = glm::dot(direction, normal);
                 const glm::dvec3 hit = origin + direction * (glm::dot(a - origin, normal) / towards);
-                lists.of[at].push_back({-hit.z, towards > 0});
+                lists.of[at].push_back({-hit.z, towards > 0, t / 3});
             }
     }
     for (std::vector<fragment>& list : lists.of)
@@ -106,6 +155,10 @@ fragment_capture::fragment_capture(const std::string& recipe, unsigned width, un
                                               .fragment = fragment_text,
                                               .push_constant_bytes = sizeof(glm::mat4)} {
     crease::effect_view effect = composed_->view();
+    if (captures_surfaces(effect))
+        host_ = {.vertex = surface_vertex,
+                 .fragment = surface_text,
+                 .push_constant_bytes = sizeof(surface_constants)};
     resources_.assign(effect.resources.begin(), effect.resources.end());
     const bool are_linked = has("node_count");
     for (crease::resource& each : resources_) {
@@ -131,7 +184,8 @@ fragment_capture::fragment_capture(const std::string& recipe, unsigned width, un
     float matrix[16];
     std::memcpy(matrix, &projection_, sizeof matrix);
     REQUIRE(crease::set_projection(how_.view, matrix, width, height));
-    runner_->upload("depth", std::vector<float>(std::size_t{width} * height, 0.01f));
+    if (std::ranges::find(resources_, "depth", &crease::resource::name) != resources_.end())
+        runner_->upload("depth", std::vector<float>(std::size_t{width} * height, 0.01f));
 }
 
 void fragment_capture::set(std::string_view name, float value) {
@@ -141,18 +195,24 @@ void fragment_capture::set(std::string_view name, float value) {
         oracle::set(how_, *composed_, name, value);
 }
 
-void fragment_capture::draw(const triangles& first, const triangles& others) {
+void fragment_capture::draw(const triangles& first, const triangles& others, const color_table& colors) {
     const auto mesh_of = [](const triangles& scene) {
-        std::vector<float> numbers; // with a normal, which no shader here reads
-        for (const glm::vec3& p : scene)
-            numbers.insert(numbers.end(), {p.x, p.y, p.z, 0, 0, 1});
+        std::vector<float> numbers;
+        for (std::size_t i = 0; i < scene.size(); ++i) {
+            const glm::vec3 &p = scene[i], *corners = &scene[i - i % 3];
+            const glm::vec3 n = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+            numbers.insert(numbers.end(), {p.x, p.y, p.z, n.x, n.y, n.z});
+        }
         return std::make_unique<crease::vulkan::mesh>(device(), numbers);
     };
     const auto first_mesh = mesh_of(first), other_mesh = mesh_of(others);
     const crease::vulkan::mesh* drawn = first_mesh.get();
+    const surface_constants constants{projection_, colors};
+    const std::span<const std::byte> pushed =
+        std::as_bytes(std::span(&constants, 1)).first(host_.push_constant_bytes);
     for (const crease::pass& each : composed_->view().passes)
         if (each.stage == crease::stage_kind::geometry) {
-            runner_->set_geometry(each.name, host_, *drawn, std::as_bytes(std::span(&projection_, 1)));
+            runner_->set_geometry(each.name, host_, *drawn, pushed);
             drawn = other_mesh.get();
         }
     runner_->run(how_);
@@ -187,6 +247,43 @@ std::vector<std::vector<fragment>> fragment_capture::packed(std::size_t layers) 
                 break;
             lists[at].push_back({std::abs(depth), depth < 0});
         }
+    return lists;
+}
+
+namespace {
+
+/// The words of an image of whole numbers, which only those of one component give.
+std::vector<std::uint32_t> words_of(crease::vulkan::runner& runner, std::string_view image) {
+    const std::vector<std::byte> bytes = crease::vulkan::download_bytes(device(), runner.image_of(image));
+    std::vector<std::uint32_t> words(bytes.size() / 4);
+    std::memcpy(words.data(), bytes.data(), bytes.size());
+    return words;
+}
+
+}
+
+std::vector<std::vector<surface_fragment>> fragment_capture::surfaces() const {
+    const std::vector<std::uint32_t> words = words_of(*runner_, "layer_surfaces");
+    const std::size_t texels = std::size_t{width_} * height_, layers = words.size() / 4 / texels;
+    std::vector<std::vector<surface_fragment>> lists(texels);
+    for (std::size_t at = 0; at < texels; ++at)
+        for (std::size_t i = 0; i < layers; ++i) {
+            const std::uint32_t* own = &words[4 * (i * texels + at)];
+            const float depth = std::bit_cast<float>(own[0]);
+            if (!(std::abs(depth) < 1e9f))
+                break;
+            lists[at].push_back({std::abs(depth), depth < 0, own[1], normal_of(own[2])});
+        }
+    return lists;
+}
+
+std::vector<std::vector<std::uint32_t>> fragment_capture::opacities() const {
+    const std::vector<std::uint32_t> words = runner_->download_uint("packed_opacities");
+    const std::vector<std::vector<surface_fragment>> all = surfaces();
+    std::vector<std::vector<std::uint32_t>> lists(all.size());
+    for (std::size_t at = 0; at < all.size(); ++at)
+        for (std::size_t i = 0; i < all[at].size(); ++i)
+            lists[at].push_back(words[i / 4 * all.size() + at] >> (8 * (i % 4)) & 255u);
     return lists;
 }
 

@@ -14,8 +14,11 @@ inline std::set<const crease::glsl_file*> all_glsl_files() {
     };
     for (const crease::part* each : crease::all_parts) {
         add(each->files);
-        for (const crease::step& step : each->steps)
+        add(each->widened.files);
+        for (const crease::step& step : each->steps) {
             add(step.files);
+            add(step.widened.files);
+        }
     }
     add(crease::core_files);
     for (const crease::glsl_file* file :

@@ -2,18 +2,23 @@
 // The page in headless Chromium: its pictures against those of the crease command, and what a visitor does.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
-import {mkdtempSync, rmSync, writeFileSync} from 'node:fs';
-import {createRequire} from 'node:module';
+import {existsSync, mkdtempSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {after, afterEach, before, beforeEach, test} from 'node:test';
+import {pathToFileURL} from 'node:url';
 
 import {read_pfm} from '../../web/bake/pfm.mjs';
 import {views} from '../../web/bake/scenes.mjs';
 import {serve} from '../../web/serve.mjs';
 
-const {CHROMIUM, CREASE, SCRATCH, SITE} = process.env;
-const {chromium} = createRequire(join(SCRATCH, 'package.json'))('playwright-core');
+const {CHROMIUM, CREASE, MODULES, SITE} = process.env;
+const needed = [CHROMIUM, join(MODULES, 'playwright-core')].find((path) => !existsSync(path));
+if (needed !== undefined) {
+    console.log(`skipped: ${needed || 'chromium'} is missing`);
+    process.exit(77);
+}
+const {chromium} = (await import(pathToFileURL(join(MODULES, 'playwright-core/index.js')))).default;
 const folder = mkdtempSync(join(tmpdir(), 'crease-playground-'));
 let server, address, browser, page, messages;
 

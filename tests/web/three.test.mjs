@@ -4,18 +4,22 @@ import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
 import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {createServer} from 'node:http';
-import {createRequire} from 'node:module';
 import {tmpdir} from 'node:os';
 import {extname, join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {fileURLToPath} from 'node:url';
+import {fileURLToPath, pathToFileURL} from 'node:url';
 
-const {CHROMIUM, CREASE, PACKAGE, SCRATCH} = process.env;
-const require = createRequire(join(SCRATCH, 'package.json'));
+const {CHROMIUM, CREASE, MODULES, PACKAGE} = process.env;
+const needed = [CHROMIUM, join(MODULES, 'three'), join(MODULES, 'playwright-core')].find((path) => !existsSync(path));
+if (needed !== undefined) {
+    console.log(`skipped: ${needed || 'chromium'} is missing`);
+    process.exit(77);
+}
+
 const here = fileURLToPath(new URL('.', import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), 'crease-three-'));
 const types = {'.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm'};
-const roots = {package: PACKAGE, three: join(SCRATCH, 'node_modules/three')};
+const roots = {package: PACKAGE, three: join(MODULES, 'three')};
 
 /** Boxes on a floor, as three.js and as the command read them. */
 function box(low, high, scene) {
@@ -67,8 +71,8 @@ before(async () => {
         answer.writeHead(200, {'Content-Type': types[extname(path)] ?? 'text/plain'}).end(readFileSync(path));
     });
     await new Promise((done) => server.listen(0, 'localhost', done));
-    const {chromium} = require('playwright-core');
-    browser = await chromium.launch({executablePath: CHROMIUM, args: ['--no-sandbox']});
+    const {chromium} = (await import(pathToFileURL(join(MODULES, 'playwright-core/index.js')))).default;
+    browser = await chromium.launch({executablePath: CHROMIUM, args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
     page = await browser.newPage();
     page.on('console', (message) => said.push(message.text()));
     page.on('pageerror', (error) => said.push(String(error)));

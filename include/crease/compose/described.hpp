@@ -3,6 +3,7 @@
 
 #include <crease/compose/program.hpp>
 #include <crease/effect/effect_view.hpp>
+#include <crease/parts/depth/layers.hpp>
 
 namespace crease {
 
@@ -44,7 +45,9 @@ constexpr pass describe(const plan& p, const planned_pass& planned) {
                    .covers = planned.what->kind == step_kind::rows      ? dispatch::rows
                              : planned.what->kind == step_kind::columns ? dispatch::columns
                                                                         : dispatch::texels,
-                   .view = planned.view};
+                   .view = planned.view,
+                   .takes_surfaces =
+                       planned.stage == stage_kind::geometry && p.needs(&layers_with_opacity::value)};
     if (planned.stage == stage_kind::fragment)
         described.vertex_pieces = fullscreen_of(p);
     return described;

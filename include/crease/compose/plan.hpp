@@ -11,7 +11,7 @@
 namespace crease {
 
 /// The most passes and resources that an effect may have, and the most outputs of a pass.
-inline constexpr std::size_t most_passes = 32, most_resources = 48, most_outputs = 4;
+inline constexpr std::size_t most_passes = 32, most_resources = 48, most_outputs = 8;
 
 /// A pass before its text: which step of which part, and between which resources.
 struct planned_pass {
@@ -52,6 +52,14 @@ struct plan {
     /// Whether it is GLSL ES 3.00, which has fragment shaders alone.
     constexpr bool is_glsl_es_300() const {
         return dialect() == dialect_kind::glsl_es && chosen(role::dialect).number_of("version") == 300;
+    }
+
+    /// Whether any part needs a trait of another.
+    constexpr bool needs(const trait* wanted) const {
+        for (const choice& c : parts)
+            if (has(c.what->needs, wanted))
+                return true;
+        return false;
     }
 
     /// The resource that a camera's pass finds under a name; -1 where there is none.

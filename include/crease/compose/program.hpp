@@ -28,8 +28,14 @@ struct program {
 /// The GLSL files in which a pass finds what it calls, the first before the others.
 constexpr file_list files_of(const plan& p, const planned_pass& pass) {
     file_list files;
-    for (const glsl_file* file : pass.what->files)
-        files.add(file);
+    const auto add = [&](const files_where& widened, array_view<const glsl_file* const> own) {
+        if (widened.needed && p.needs(widened.needed))
+            for (const glsl_file* file : widened.files)
+                files.add(file);
+        for (const glsl_file* file : own)
+            files.add(file);
+    };
+    add(pass.what->widened, pass.what->files);
     switch (pass.what->kind) {
     case step_kind::texels:
         files.add(&build_glsl);
@@ -47,8 +53,7 @@ constexpr file_list files_of(const plan& p, const planned_pass& pass) {
         files.add(&glsl_es_300_glsl);
     for (const choice& c : p.parts)
         if (c.what->kind != role::stage || pass.what->kind == step_kind::result)
-            for (const glsl_file* file : c.what->files)
-                files.add(file);
+            add(c.what->widened, c.what->files);
     for (const glsl_file* file : core_files)
         files.add(file);
     return files;
@@ -189,13 +194,16 @@ private:
         }
         for (std::size_t i = 0; i < pass_.outputs.size(); ++i) {
             const unsigned at = pass_.outputs[i];
-            if (!is_result_)
-                bind_level(pass_.what->writes[i], at, pass_.what->how, pass_.size.level);
-            else
+            if (!is_result_) {
+                const std::string_view name = pass_.what->writes[i];
+                if (pass_.what->how == access::attachment || uses(name) || uses("load_", name))
+                    bind_level(name, at, pass_.what->how, pass_.size.level);
+            } else {
                 bind(i == 0 ? std::string_view("output") : plan_.resources[at].name, at,
                      pass_.stage == stage_kind::compute    ? access::store
                      : pass_.stage == stage_kind::fragment ? access::attachment
                                                            : access::result);
+            }
         }
         number_bindings();
     }
@@ -420,10 +428,17 @@ private:
         }
     }
 
+    constexpr std::string_view first_written_image() const {
+        for (const binding& b : out_.bindings)
+            if (writes(b.how) && !is_buffer(b))
+                return b.name;
+        return pass_.what->writes[0];
+    }
+
     constexpr void write_results() {
         interface_text& text = out_.head;
         if (uses("build_size"))
-            text << "#define crease_build_size imageSize(crease_" << pass_.what->writes[0] << ").xy\n";
+            text << "#define crease_build_size imageSize(crease_" << first_written_image() << ").xy\n";
         if (!uses("write"))
             return;
         text << "\n#define crease_write(pixel, result)";

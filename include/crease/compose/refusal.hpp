@@ -28,7 +28,7 @@ namespace crease {
     rule(known_resource, "a step fills a resource that no part of the effect describes")                               \
     rule(written_first, "a pass reads a resource that no pass before it fills")                                        \
     rule(few_resources, "an effect has 48 resources, 24 settings and 4 views at the most")                             \
-    rule(few_passes, "an effect has 32 passes at the most, each with 4 outputs, 16 bindings and 32 constants")         \
+    rule(few_passes, "an effect has 32 passes at the most, each with 8 outputs, 16 bindings and 32 constants")         \
     rule(short_programs, "a program has 500 names, 190 functions and 6000 characters of interface at the most")
 // clang-format on
 

@@ -81,6 +81,15 @@ constexpr const trait* unmet(const part& p, array_view<const choice> choices) {
     return nullptr;
 }
 
+/// Whether a part offers what the others need of its role.
+constexpr bool suits(const part& p, array_view<const choice> choices) {
+    for (const choice& other : choices)
+        for (const trait* needed : other.what->needs)
+            if (needed->from == p.kind && !has(p.offers, needed))
+                return false;
+    return true;
+}
+
 }
 
 /// Adds the default part of each role that only has to be named where it differs: the first that fits.
@@ -96,7 +105,7 @@ constexpr choice_list complete(array_view<const choice> choices) {
         if (is_there || (rules::is_on_request(fallback.what->kind) &&
                          !rules::requires_role(choices, fallback.what->kind)))
             continue;
-        if (rules::unmet(*fallback.what, choices))
+        if (rules::unmet(*fallback.what, choices) || !rules::suits(*fallback.what, choices))
             continue;
         all.add(fallback);
         is_there = true;

@@ -77,6 +77,8 @@ struct pass {
     extent size;   ///< of the outputs; one of a mip level that the image has not is left out
     dispatch covers = dispatch::texels;      ///< of a compute pass, which workgroups run
     unsigned view = 0;                       ///< index of the camera whose picture it makes
+    bool takes_surfaces = false;             ///< of a geometry pass, whether its function is
+                                             ///< `void crease_capture(vec3 anchor, vec3 normal, vec4 color)`
     array_view<const std::uint32_t> spirv{}; ///< words made beforehand, as by `crease_add_shader`, in place
                                              ///< of the pieces; empty: compile those
     array_view<const std::uint32_t> vertex_spirv{}; ///< the same of a fragment pass's vertex shader

@@ -15,6 +15,7 @@
 #include <crease/parts/depth/linear_lists.hpp>
 #include <crease/parts/depth/linked_lists.hpp>
 #include <crease/parts/depth/mip_chain.hpp>
+#include <crease/parts/depth/multi_resolution.hpp>
 #include <crease/parts/depth/n_buffer.hpp>
 #include <crease/parts/depth/peeled_layers.hpp>
 #include <crease/parts/depth/single_layer.hpp>
@@ -53,7 +54,9 @@
 #include <crease/parts/output_format/rgba8.hpp>
 #include <crease/parts/reads/image_load.hpp>
 #include <crease/parts/reads/texel_fetch.hpp>
+#include <crease/parts/receivers/every_layer.hpp>
 #include <crease/parts/receivers/first_surface.hpp>
+#include <crease/parts/receivers/thin_layers.hpp>
 #include <crease/parts/sampler/box_area.hpp>
 #include <crease/parts/sampler/box_window.hpp>
 #include <crease/parts/sampler/directions.hpp>
@@ -65,6 +68,7 @@
 #include <crease/parts/sampler/slices.hpp>
 #include <crease/parts/sampler/sphere_lines.hpp>
 #include <crease/parts/sampler/sphere_points.hpp>
+#include <crease/parts/sampler/tap_grid.hpp>
 #include <crease/parts/scan/subgroup_scan.hpp>
 #include <crease/parts/scan/work_efficient_scan.hpp>
 #include <crease/parts/stage/compute.hpp>
@@ -103,6 +107,7 @@ inline constexpr const part* all_parts[] = {
     &slices_part::description,
     &hemisphere_points_part::description,
     &poisson_disk_part::description,
+    &tap_grid_part::description,
     &sphere_points_part::description,
     &sphere_lines_part::description,
     &hemisphere_lines_part::description,
@@ -121,6 +126,7 @@ inline constexpr const part* all_parts[] = {
     &n_buffer_part::description,
     &mip_chain_part::description,
     &depth_pyramid_part::description,
+    &multi_resolution_part::description,
     &hbao::description,
     &hbao_plus::description,
     &gtao::description,
@@ -177,6 +183,8 @@ inline constexpr const part* all_parts[] = {
     &hilbert_r2_noise::description,
     &blue_noise::description,
     &first_surface::description,
+    &every_layer::description,
+    &thin_layers::description,
     &texel_fetch::description,
     &image_load::description,
     &compute_part::description,

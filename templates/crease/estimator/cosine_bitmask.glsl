@@ -6,6 +6,7 @@ float crease_slice_weight(float share);
 float crease_layer_thickness(crease_layer layer);
 int crease_step_count();
 int crease_bit_count(uint bits);
+uint crease_sectors_of_opacity(float opacity);
 #else
 __LINE__, R"glsl("
 #endif
@@ -148,6 +149,13 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
         contribution.own = crease_cosine_bitmask_sectors_of(march, slab, slab.thickness, nearest);
         contribution.own_nearness = 1.0 - march.reach / nearest;
     }
+    return contribution;
+}
+
+// Where a tap has one layer, the sectors that it may hide.
+crease_contribution crease_fade(crease_march march, crease_receiver receiver, crease_tap tap,
+                                crease_contribution contribution, float opacity) {
+    contribution.own = (crease_most_layers > 1 ? contribution.own : ~0u) & crease_sectors_of_opacity(opacity);
     return contribution;
 }
 

@@ -45,6 +45,11 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
     return crease_contribution(counts ? weight * falloff * rise : 0.0, counts ? rise : 0.0, weight);
 }
 
+crease_contribution crease_fade(crease_march march, crease_receiver receiver, crease_tap tap,
+                                crease_contribution contribution, float opacity) {
+    return crease_contribution(contribution.occlusion * opacity, contribution.highest * opacity, contribution.weight);
+}
+
 // If the front layer lies below the tangent plane and the ray of its texel goes further down, so do all layers behind
 // it.
 bool crease_skip_behind(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer front) {

@@ -7,6 +7,7 @@ float crease_half_slice_measure(vec2 normal, float cosine);
 crease_half_slice crease_half_slice_along(crease_receiver receiver, vec2 direction);
 vec2 crease_half_slice_normal(crease_half_slice slice, crease_receiver receiver, vec3 to_point);
 crease_half_slice crease_half_slice_of(vec2 normal);
+uint crease_sectors_of_opacity(float opacity);
 #else
 __LINE__, R"glsl("
 #endif
@@ -55,6 +56,11 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
         return crease_contribution(0u);
     return crease_contribution(crease_visibility_bitmask_from(march, receiver, to_layer + first * back) &
                                ~crease_visibility_bitmask_from(march, receiver, to_layer + last * back));
+}
+
+crease_contribution crease_fade(crease_march march, crease_receiver receiver, crease_tap tap,
+                                crease_contribution contribution, float opacity) {
+    return crease_contribution(contribution.hidden & crease_sectors_of_opacity(opacity));
 }
 
 // Layers of a tap hide what any of them hides.

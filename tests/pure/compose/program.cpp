@@ -40,7 +40,9 @@ void check_pass(const pass& each) {
     CHECK(count_of(text, "SPDX-License-Identifier") == 1);
     const bool builds = each.bindings.back().name != "output" && each.stage == stage_kind::compute &&
                         !contains(text, "crease_evaluate");
-    const std::string_view does = each.stage == stage_kind::geometry ? "void crease_capture(vec3 anchor) {"
+    const std::string_view does = each.takes_surfaces
+                                      ? "void crease_capture(vec3 anchor, vec3 normal, vec4 color) {"
+                                  : each.stage == stage_kind::geometry ? "void crease_capture(vec3 anchor) {"
                                   : builds                           ? "void crease_build"
                                            : "crease_result crease_evaluate(ivec2 pixel) {";
     CHECK(count_of(text, does) >= 1);
