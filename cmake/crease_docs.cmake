@@ -9,7 +9,7 @@ endif()
 set(pages README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md docs)
 set(DOXYGEN_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/docs)
 set(DOXYGEN_USE_MDFILE_AS_MAINPAGE docs/README.md)
-set(DOXYGEN_FILE_PATTERNS *.hpp *.md)
+set(DOXYGEN_FILE_PATTERNS *.h *.hpp *.md)
 set(DOXYGEN_FILTER_PATTERNS */docs/*.md=docs/doxygen/page */README.md=docs/doxygen/page
                             "\"*/parts/*=sed -E -f docs/doxygen/part.sed\"")
 set(DOXYGEN_IMAGE_PATH docs)

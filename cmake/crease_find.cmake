@@ -25,12 +25,13 @@ function(crease_find missing)
     set(${missing} "${not_found}" PARENT_SCOPE)
 endfunction()
 
-# crease_settle(<part> [PARTS <part>...] [PACKAGES <package>...])
+# crease_settle(<part> [PARTS <part>...] [PACKAGES <package>...] [PROGRAMS <program>...])
 #
 # Makes of the option CREASE_<part> ON or OFF in the caller's scope. AUTO is ON where the other parts are and all
-# packages were found, and else OFF, with a line that says what is missing; ON is a request that fails with that line.
+# packages and programs were found, and else OFF, with a line that says what is missing; ON is a request that fails with
+# that line. The path of a program is then in CREASE_<PROGRAM>.
 function(crease_settle part)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "PARTS;PACKAGES")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "PARTS;PACKAGES;PROGRAMS")
     if(NOT CREASE_${part})
         return()
     endif()
@@ -38,6 +39,14 @@ function(crease_settle part)
     foreach(other IN LISTS arg_PARTS)
         if(NOT CREASE_${other})
             list(PREPEND missing CREASE_${other})
+        endif()
+    endforeach()
+    foreach(program IN LISTS arg_PROGRAMS)
+        string(TOUPPER CREASE_${program} variable)
+        find_program(${variable} ${program})
+        mark_as_advanced(${variable})
+        if(NOT ${variable})
+            list(APPEND missing ${program})
         endif()
     endforeach()
     list(JOIN missing ", " missing)

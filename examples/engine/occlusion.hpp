@@ -10,23 +10,25 @@
 #include <stdexcept>
 
 /// What the engine adds to its renderer to run an effect of crease: compute passes and geometry passes
-/// without attachments, without buffers and history.
+/// without attachments, without history.
 class occlusion {
 public:
     /// @param depth  the engine's own, as large as the picture
     occlusion(renderer& on, const crease::effect_view& effect, const crease::parameters& values, image& depth)
-        : gpu_(on), effect_(effect), picture_(depth.size),
-          parameters_(on.make_buffer(effect.block_size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT)) {
-        crease::write_block(values, effect.views, effect.settings.size(),
-                            static_cast<std::byte*>(parameters_.bytes));
+        : gpu_(on), effect_(effect), picture_(depth.size) {
         const VkSamplerCreateInfo nearest{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
                                           .addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE,
                                           .addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE};
         sampler_ = on.make<VkSampler>(vkCreateSampler, nearest, vkDestroySampler);
-        for (const crease::resource& r : effect.resources)
-            images_.push_back(r.kind == crease::resource_kind::block ? nullptr
-                              : r.life == crease::lifetime::input    ? &depth
-                                                                     : &make_image(r, depth.size));
+        for (const crease::resource& r : effect.resources) {
+            const bool is_image = r.kind == crease::resource_kind::image;
+            images_.push_back(!is_image                           ? nullptr
+                              : r.life == crease::lifetime::input ? &depth
+                                                                  : &make_image(r, depth.size));
+            buffers_.push_back(is_image ? buffer{} : make_buffer(r, depth.size));
+        }
+        crease::write_block(values, effect.views, effect.settings.size(),
+                            static_cast<std::byte*>(buffers_[0].memory.bytes));
         for (const crease::pass& each : effect.passes)
             passes_.push_back(each.stage == crease::stage_kind::compute ? prepare(each) : prepared{});
     }
@@ -54,9 +56,10 @@ public:
     /// Runs all passes.
     /// @param draw  is called where a geometry pass stands among them, to draw what that captures
     void record(VkCommandBuffer commands, const std::function<void(const crease::pass&)>& draw = {}) {
+        wait_for_buffers(commands);
         for (std::size_t i = 0; i < effect_.resources.size(); ++i)
             if (effect_.resources[i].cleared)
-                clear(commands, *images_[i], effect_.resources[i].clear);
+                clear(commands, i, effect_.resources[i].clear);
         for (std::size_t i = 0; i < passes_.size(); ++i) {
             const crease::pass& pass = effect_.passes[i];
             if (pass.stage == crease::stage_kind::geometry) {
@@ -75,6 +78,16 @@ public:
                        crease::dispatch::columns),
                 1);
         }
+        wait_for_buffers(commands);
+    }
+
+    /// The number in a report of one, once what was recorded is done.
+    /// @throws std::runtime_error  where there is none of that name
+    std::uint32_t report(std::string_view name) const {
+        for (std::size_t i = 0; i < effect_.resources.size(); ++i)
+            if (effect_.resources[i].name == name && effect_.resources[i].life == crease::lifetime::report)
+                return *static_cast<const std::uint32_t*>(buffers_[i].memory.bytes);
+        throw std::runtime_error("the effect reports no '" + std::string(name) + "'");
     }
 
     /// The last resource, which the last pass writes.
@@ -92,19 +105,50 @@ private:
         return pass.covers == along ? 1 : (texels + group - 1) / group;
     }
 
-    /// Makes the images ready for a shader that binds them.
+    struct buffer {
+        renderer::mapped_buffer memory;
+        VkDeviceSize size;
+    };
+
+    bool is_image(std::size_t resource) const { return images_[resource] != nullptr; }
+
+    /// All that was written to buffers is done before what comes next, whoever does it.
+    static void wait_for_buffers(VkCommandBuffer commands) {
+        constexpr VkPipelineStageFlags shaders =
+            VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
+        const VkMemoryBarrier all{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
+                                  .srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT,
+                                  .dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT |
+                                                   VK_ACCESS_TRANSFER_WRITE_BIT | VK_ACCESS_HOST_READ_BIT};
+        vkCmdPipelineBarrier(commands, shaders | VK_PIPELINE_STAGE_TRANSFER_BIT,
+                             shaders | VK_PIPELINE_STAGE_TRANSFER_BIT | VK_PIPELINE_STAGE_HOST_BIT, 0, 1,
+                             &all, 0, nullptr, 0, nullptr);
+    }
+
+    /// Makes what a shader binds ready for it.
     void make_ready(VkCommandBuffer commands, std::span<const crease::binding> bindings,
                     VkPipelineStageFlags stage) {
+        if (std::ranges::any_of(bindings, [this](const crease::binding& b) {
+                return !is_image(b.resource) && b.how != crease::access::uniform;
+            }))
+            wait_for_buffers(commands);
         for (const crease::binding& b : bindings)
-            if (b.how == crease::access::sample)
+            if (!is_image(b.resource))
+                continue;
+            else if (b.how == crease::access::sample)
                 images_[b.resource]->change(commands, {layout_of(b.how), stage, VK_ACCESS_SHADER_READ_BIT});
-            else if (b.how != crease::access::uniform)
+            else
                 images_[b.resource]->change(
                     commands,
                     {layout_of(b.how), stage, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT});
     }
 
-    static void clear(VkCommandBuffer commands, image& target, std::uint32_t component) {
+    void clear(VkCommandBuffer commands, std::size_t resource, std::uint32_t component) {
+        if (!is_image(resource)) {
+            vkCmdFillBuffer(commands, buffers_[resource].memory.handle, 0, VK_WHOLE_SIZE, component);
+            return;
+        }
+        image& target = *images_[resource];
         const VkClearColorValue value{.uint32 = {component, component, component, component}};
         target.change(commands, copy_target);
         vkCmdClearColorImage(commands, target.handle, copy_target.layout, &value, 1, &target.range);
@@ -149,6 +193,20 @@ private:
         return made;
     }
 
+    buffer make_buffer(const crease::resource& of, VkExtent3D picture) {
+        if (of.kind == crease::resource_kind::block)
+            return {gpu_.make_buffer(effect_.block_size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT),
+                    effect_.block_size()};
+        const VkDeviceSize elements =
+            VkDeviceSize{of.size.width_of(picture.width)} * of.size.height_of(picture.height) * of.layers;
+        const VkDeviceSize bytes = elements * (of.element.ends_with('4')   ? 16
+                                               : of.element.ends_with('2') ? 8
+                                                                           : 4);
+        return {
+            gpu_.make_buffer(bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT),
+            bytes};
+    }
+
     prepared prepare(const crease::pass& of) {
         const bound bindings = bind(of.bindings, VK_SHADER_STAGE_COMPUTE_BIT);
         const VkComputePipelineCreateInfo info{
@@ -162,10 +220,11 @@ private:
         return {bindings, gpu_.make<VkPipeline>(create, info, vkDestroyPipeline)};
     }
 
-    static VkDescriptorType type_of(crease::access how) {
-        return how == crease::access::uniform  ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
-               : how == crease::access::sample ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
-                                               : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    VkDescriptorType type_of(const crease::binding& b) const {
+        return b.how == crease::access::uniform  ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER
+               : !is_image(b.resource)           ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER
+               : b.how == crease::access::sample ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
+                                                 : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
     }
 
     static VkImageLayout layout_of(crease::access how) {
@@ -176,7 +235,7 @@ private:
     VkDescriptorSetLayout make_set_layout(std::span<const crease::binding> of, VkShaderStageFlags stage) {
         std::vector<VkDescriptorSetLayoutBinding> bindings;
         for (const crease::binding& b : of)
-            bindings.push_back({b.slot, type_of(b.how), 1, stage, nullptr});
+            bindings.push_back({b.slot, type_of(b), 1, stage, nullptr});
         const VkDescriptorSetLayoutCreateInfo info{
             .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
             .bindingCount = static_cast<std::uint32_t>(bindings.size()),
@@ -188,7 +247,7 @@ private:
     VkDescriptorSet make_set(std::span<const crease::binding> of, VkDescriptorSetLayout layout) {
         std::vector<VkDescriptorPoolSize> sizes;
         for (const crease::binding& b : of)
-            sizes.push_back({type_of(b.how), 1});
+            sizes.push_back({type_of(b), 1});
         const VkDescriptorPoolCreateInfo pool_info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
                                                    .maxSets = 1,
                                                    .poolSizeCount = static_cast<std::uint32_t>(sizes.size()),
@@ -202,17 +261,18 @@ private:
         VkDescriptorSet set;
         renderer::check(vkAllocateDescriptorSets(gpu_.device(), &info, &set), "allocating a descriptor set");
 
-        const VkDescriptorBufferInfo block{parameters_.handle, 0, effect_.block_size()};
         for (const crease::binding& b : of) {
+            const buffer& memory = buffers_[b.resource];
+            const VkDescriptorBufferInfo bytes{memory.memory.handle, 0, memory.size};
             const VkDescriptorImageInfo texels{
                 sampler_, images_[b.resource] ? images_[b.resource]->view : VK_NULL_HANDLE, layout_of(b.how)};
             const VkWriteDescriptorSet write{.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
                                              .dstSet = set,
                                              .dstBinding = b.slot,
                                              .descriptorCount = 1,
-                                             .descriptorType = type_of(b.how),
+                                             .descriptorType = type_of(b),
                                              .pImageInfo = &texels,
-                                             .pBufferInfo = &block};
+                                             .pBufferInfo = &bytes};
             vkUpdateDescriptorSets(gpu_.device(), 1, &write, 0, nullptr);
         }
         return set;
@@ -221,8 +281,8 @@ private:
     renderer& gpu_;
     crease::effect_view effect_;
     VkExtent3D picture_;
-    renderer::mapped_buffer parameters_;
     VkSampler sampler_{};
-    std::vector<image*> images_; // by resource
+    std::vector<image*> images_;  // by resource; null where it is a buffer
+    std::vector<buffer> buffers_; // by resource
     std::vector<prepared> passes_;
 };

@@ -35,7 +35,7 @@ class Crease(ConanFile):
 
     def generate(self):
         toolchain = CMakeToolchain(self)
-        for part in ("SPIRV", "VULKAN", "EMIT", "TOOLS", "EXAMPLES", "TESTS", "DOCS"):
+        for part in ("SPIRV", "TRANSLATE", "VULKAN", "EMIT", "TOOLS", "C", "EXAMPLES", "TESTS", "DOCS"):
             toolchain.cache_variables[f"CREASE_{part}"] = "OFF"
         toolchain.generate()
 

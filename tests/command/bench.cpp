@@ -21,6 +21,7 @@ TEST_CASE("bench: as JSON it holds each recipe, with its passes and views, and k
     for (const nlohmann::json& row : whole["recipes"]) {
         CHECK(row.at("milliseconds").get<double>() > 0);
         CHECK(row.at("capture_milliseconds") == 0);
+        CHECK(row.at("captures").empty());
         for (const nlohmann::json& pass : row.at("passes")) {
             CHECK(pass.at("fetches").get<unsigned>() > 0);
             CHECK(pass.at("instructions").get<unsigned>() > pass["fetches"].get<unsigned>());

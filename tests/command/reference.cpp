@@ -103,6 +103,30 @@ TEST_CASE("reference: the mask is where what is hidden takes more than 0.15") {
     CHECK(json_in(built_in.folder / "out/meta.json").at("seed") == 7);
 }
 
+TEST_CASE("reference: opacity of a scene, or of the command, is traced") {
+    const reference_files glass("glass --width 64 --height 36", "--rays 16");
+    CHECK(files_in(glass.folder / "out") == always);
+    const nlohmann::json meta = json_in(glass.folder / "out/meta.json");
+    CHECK(meta.at("camera") == "showroom");
+    CHECK(meta.at("transparent") == "solids");
+    CHECK_FALSE(meta.contains("opacity"));
+    const reference_files hull("glass --width 64 --height 36", "--rays 16 --hull");
+    CHECK(json_in(hull.folder / "out/meta.json").at("transparent") == "thin hulls");
+    CHECK(hull["depth"].texels == glass["depth"].texels);
+    CHECK(hull["ao_linear"].texels != glass["ao_linear"].texels);
+
+    // A wall that stops half of each ray, seen beside a floor of which half is seen.
+    const reference_files corner(scene_files(true).arguments(), "--rays 1024 --opacity 0.5");
+    CHECK(json_in(corner.folder / "out/meta.json").at("opacity") == 0.5);
+    const image hard = corner["ao_hard"];
+    for (unsigned x = 0; x < 64; ++x)
+        if (const double away = scene_files::x_of(x); away >= 0)
+            CHECK(std::abs(1 - hard.at(x, 18) - 0.25 * (1 - before_wall(away / scene_files::radius).hard)) <=
+                  0.002);
+    const reference_files opaque(scene_files(true).arguments(), "--rays 16");
+    CHECK_FALSE(json_in(opaque.folder / "out/meta.json").contains("transparent"));
+}
+
 TEST_CASE("reference: cameras beside the scene, or one that is fitted, and a line of each") {
     const scene_files scene(true);
     const temporary_folder folder;

@@ -1,4 +1,4 @@
-// crease::effect: an effect has 32 passes at the most, each with 4 outputs, 16 bindings and 32 constants
+// crease::effect: an effect has 32 passes at the most, each with 8 outputs, 16 bindings and 32 constants
 // (hbao, noise_image)
 // no recipe says this
 // SPDX-License-Identifier: MIT

@@ -4,6 +4,7 @@
 
 #include "captured.hpp"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,11 +13,26 @@
 namespace oracle {
 
 struct fragment {
-    double depth; ///< linear
-    bool back;    ///< of a back face: its corners turn clockwise
+    double depth;             ///< linear
+    bool back;                ///< of a back face: its corners turn clockwise
+    std::size_t triangle = 0; ///< of those that were drawn, where it is known
 
     bool operator==(const fragment&) const = default;
 };
+
+/// A fragment with its surface, as a depth source keeps it.
+struct surface_fragment {
+    double depth; ///< linear
+    bool back;
+    std::uint32_t color; ///< four bytes, red first; the last is the opacity
+    glm::dvec3 normal;
+};
+
+/// Sixteen colours, four bytes each, red first; the last is the opacity.
+using color_table = std::array<std::uint32_t, 16>;
+
+/// Colours of many opacities, of which the fourth is 0 and the eighth 255.
+color_table every_color();
 
 /// The fragments of each texel, row by row, nearest first.
 struct fragment_lists {
@@ -39,24 +55,48 @@ public:
     /// @param recipe      the sampler, the depth source, the estimator and more, all but the depth encoding
     /// and normals
     /// @param last        the last pass that runs; where it is the packing, the depth image is before all
-    /// @param free_nodes  of a pool that is in use but for these; else all are free
+    /// @param free_nodes  of a pool that is in use but for these, of `linear_lists` all that the pool has,
+    /// and then at least 1; else all are free
+    /// @param rubbish     bits with which all is filled, before each frame, that an effect need not clear
     fragment_capture(const std::string& recipe, unsigned width, unsigned height,
                      lens seen_by = lens::standard, std::string_view last = "pack_layers",
-                     std::optional<unsigned> free_nodes = {});
+                     std::optional<unsigned> free_nodes = {},
+                     std::string_view normals = "reconstructed_normals",
+                     std::optional<std::uint32_t> rubbish = {});
 
-    void draw(const triangles& scene);
+    /// @param colors  of the triangles, in turn, where the effect captures surfaces
+    void draw(const triangles& scene, const color_table& colors = every_color()) {
+        draw(scene, scene, colors);
+    }
+    /// Draws one scene in the first geometry pass, and another in those after it.
+    void draw(const triangles& first, const triangles& others, const color_table& colors = every_color());
     crease::vulkan::runner& runner() { return *runner_; }
+    crease::effect_view effect() const { return composed_->view(); }
+    const crease::parameters& parameters() const { return how_; }
     /// Sets a setting, or the radius.
     void set(std::string_view name, float value);
     /// The number in a buffer of one.
     std::uint32_t count_in(std::string_view buffer) const;
     /// What is packed for a texel, row by row: nearest first.
     std::vector<std::vector<fragment>> packed(std::size_t layers) const;
-    /// Of `linked_lists` what is in the list of a texel, its nearest included, in the order of keys; a list
-    /// that does not end fails the test.
+    /// What receivers read of a texel, row by row: nearest first.
+    std::vector<std::vector<surface_fragment>> surfaces() const;
+    /// What a layer compression keeps of a texel, row by row: nearest first, without colours.
+    std::vector<std::vector<surface_fragment>> nodes() const;
+    /// The opacities of the packed layers of a texel, nearest first; as many as there are surfaces.
+    std::vector<std::vector<std::uint32_t>> opacities() const;
+    /// What is in the list of a texel, its nearest included, in the order of keys; a linked list that does
+    /// not end fails the test.
     std::vector<std::vector<fragment>> listed() const;
 
 private:
+    using keys_of_texels = std::vector<std::vector<std::uint32_t>>; ///< the nearest first
+
+    keys_of_texels linked() const;
+    keys_of_texels linear() const;
+    std::vector<std::uint32_t> words_in(std::string_view buffer) const;
+    bool has(std::string_view resource) const;
+
     unsigned width_, height_;
     glm::mat4 projection_;
     std::unique_ptr<crease::composition> composed_;

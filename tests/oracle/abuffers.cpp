@@ -125,7 +125,8 @@ TEST_CASE("the A-buffer oracle has texels of 0 to 64 fragments and more, and few
     CHECK(std::ranges::count(all.doubtful, true) < width * height / 4);
 }
 
-TEST_CASE("linked lists hold every fragment once, and pack the nearest in order, with their sides") {
+/// Checks the lists of a source against all fragments, and what is packed of them.
+void check_lists(const std::string& source) {
     for (lens kind : {lens::standard, lens::orthographic})
         for (const scene& each : scenes()) {
             CAPTURE(each.name);
@@ -133,7 +134,7 @@ TEST_CASE("linked lists hold every fragment once, and pack the nearest in order,
             const oracle::fragment_lists all = oracle::rasterise(each.drawn, kind, width, height);
             for (std::size_t layers : {1u, 2u, 3u, 8u, 32u}) {
                 CAPTURE(layers);
-                oracle::fragment_capture capture(packing("linked_lists:" + std::to_string(layers) + "x64"),
+                oracle::fragment_capture capture(packing(source + ":" + std::to_string(layers) + "x64"),
                                                  width, height, kind);
                 capture.draw(each.drawn);
                 const lists listed = capture.listed();
@@ -143,6 +144,27 @@ TEST_CASE("linked lists hold every fragment once, and pack the nearest in order,
                 CHECK(capture.count_in("fragments_beyond_layers") == beyond(listed, layers));
             }
         }
+}
+
+TEST_CASE("linked lists hold every fragment once, and pack the nearest in order, with their sides") {
+    check_lists("linked_lists");
+}
+
+TEST_CASE("linear lists hold every fragment once, and pack the nearest in order, with their sides") {
+    check_lists("linear_lists");
+}
+
+TEST_CASE("linear lists stand one behind another, whichever part of the role scan sums their lengths") {
+    const oracle::triangles drawn = oracle::soup(60, 2);
+    oracle::fragment_capture work_efficient("directions:1x1/linear_lists:8x64/hbao/work_efficient_scan", 150,
+                                            300);
+    oracle::fragment_capture by_subgroups("directions:1x1/linear_lists:8x64/hbao/subgroup_scan", 150, 300);
+    work_efficient.draw(drawn);
+    by_subgroups.draw(drawn);
+    const lists listed = work_efficient.listed();
+    CHECK(total(listed) > 100'000);
+    CHECK(listed == by_subgroups.listed());
+    CHECK(work_efficient.packed(8) == by_subgroups.packed(8));
 }
 
 TEST_CASE("a layer array holds the nearest fragments in order, with their sides, and counts the others") {
@@ -184,18 +206,19 @@ TEST_CASE("peeling and lists agree exactly, but that peeling keeps one of equal 
     }
 }
 
-TEST_CASE("a pool of any size loses no nearest fragment, corrupts no list and counts what it lost") {
+/// Checks what a source of lists loses of a pool of each size.
+void check_pools(const std::string& source, std::size_t least) {
     const oracle::triangles drawn = oracle::soup(80, 5);
     const oracle::fragment_lists all = oracle::rasterise(drawn, lens::standard, width, height);
-    oracle::fragment_capture whole(packing("linked_lists:32x64"), width, height);
+    oracle::fragment_capture whole(packing(source + ":32x64"), width, height);
     whole.draw(drawn);
     const lists everything = whole.listed();
     const std::size_t wanted = beyond(everything, 1); // nodes
     REQUIRE(wanted > 1000);
-    for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{7}, wanted / 3,
+    for (const std::size_t size : {least, std::size_t{1}, std::size_t{2}, std::size_t{7}, wanted / 3,
                                    wanted - 1, wanted, wanted + 1}) {
         CAPTURE(size);
-        oracle::fragment_capture capture(packing("linked_lists:32x64"), width, height, lens::standard,
+        oracle::fragment_capture capture(packing(source + ":32x64"), width, height, lens::standard,
                                          "pack_layers", static_cast<unsigned>(size));
         for (int frame = 0; frame < 2; ++frame) { // the second finds a pool in use
             capture.draw(drawn);
@@ -227,6 +250,14 @@ TEST_CASE("a pool of any size loses no nearest fragment, corrupts no list and co
     CHECK_NOTHROW(oracle::device().check_messages());
 }
 
+TEST_CASE("a pool of any size loses no nearest fragment, corrupts no linked list and counts what it lost") {
+    check_pools("linked_lists", 0);
+}
+
+TEST_CASE("a pool of any size loses no nearest fragment, corrupts no linear list and counts what it lost") {
+    check_pools("linear_lists", 1);
+}
+
 TEST_CASE("all sources give the same occlusion for the same fragments, with every traversal") {
     const oracle::triangles drawn = oracle::soup(30, 11);
     for (const std::string estimator : {"hbao", "cosine_bitmask"}) {
@@ -240,11 +271,86 @@ TEST_CASE("all sources give the same occlusion for the same fragments, with ever
                 const std::vector<float> of_array =
                     visibility("directions:2x4/layer_array:" + layers + rest, drawn);
                 CHECK(of_array == visibility("directions:2x4/linked_lists:" + layers + "x64" + rest, drawn));
+                CHECK(of_array == visibility("directions:2x4/linear_lists:" + layers + "x64" + rest, drawn));
                 CHECK(of_array != single);
                 if (layers == "2") {
                     CHECK(of_array == visibility("directions:2x4/peeled_layers:2" + rest, drawn));
                 }
             }
+    }
+}
+
+TEST_CASE("what memory held before a frame does not matter, rubbish or another frame's lists") {
+    const oracle::triangles drawn = oracle::soup(30, 11), other = oracle::soup(90, 12);
+    const auto capture = [](const std::string& source, std::optional<unsigned> free_nodes,
+                            std::optional<std::uint32_t> rubbish) {
+        return std::make_unique<oracle::fragment_capture>(packing(source), width, height, lens::standard,
+                                                          "visibility", free_nodes, rubbish);
+    };
+    // Numbers that are wrong as counts, indices, keys and depths; 0x7fc00000 is not a number.
+    constexpr std::uint32_t all_rubbish[] = {0u, 1u, 0x3f8ccccdu, 0x7fc00000u, 0xdeadbeefu, ~0u};
+    for (const std::string source :
+         {"layer_array:8", "peeled_layers:8", "linked_lists:8x64", "linear_lists:8x64"}) {
+        CAPTURE(source);
+        const auto clean = capture(source, {}, {});
+        clean->draw(drawn);
+        for (const std::uint32_t rubbish : all_rubbish) {
+            CAPTURE(rubbish);
+            const auto poisoned = capture(source, {}, rubbish);
+            for (const oracle::triangles* before : {&drawn, &other}) {
+                poisoned->draw(*before);
+                poisoned->draw(drawn);
+                CHECK(poisoned->packed(8) == clean->packed(8));
+                CHECK(poisoned->runner().download("visibility") == clean->runner().download("visibility"));
+            }
+        }
+    }
+    for (const std::string source : {"linked_lists:8x64", "linear_lists:8x64"}) {
+        CAPTURE(source);
+        const auto whole = capture(source, {}, {}), full = capture(source, 100, {});
+        whole->draw(drawn);
+        full->draw(drawn);
+        const lists everything = whole->packed(8);
+        const std::uint32_t lost = full->count_in("fragments_beyond_pool");
+        CHECK(lost > 500);
+        for (const std::uint32_t rubbish : all_rubbish) {
+            CAPTURE(rubbish);
+            const auto poisoned = capture(source, 100, rubbish);
+            poisoned->draw(other);
+            poisoned->draw(drawn);
+            CHECK(poisoned->count_in("fragments_beyond_pool") == lost);
+            const lists kept = poisoned->packed(8);
+            for (std::size_t at = 0; at < kept.size(); ++at)
+                for (const fragment& each : kept[at]) // none is made up
+                    CHECK(std::ranges::find(everything[at], each) != everything[at].end());
+        }
+    }
+    CHECK_NOTHROW(oracle::device().check_messages());
+}
+
+TEST_CASE(
+    "a linear list that gets more fragments than were counted, or fewer, leaves the others as they are") {
+    const oracle::triangles drawn = oracle::soup(30, 11), more = oracle::soup(60, 11),
+                            fewer = oracle::soup(10, 11);
+    oracle::fragment_capture counted(packing("linear_lists:32x64"), width, height);
+    counted.draw(drawn);
+    for (const oracle::triangles* stored : {&more, &fewer}) {
+        oracle::fragment_capture alone(packing("linear_lists:32x64"), width, height);
+        alone.draw(*stored);
+        oracle::fragment_capture both(packing("linear_lists:32x64"), width, height, lens::standard,
+                                      "pack_layers", std::nullopt, 0x3f8ccccdu);
+        both.draw(drawn, *stored);
+        const lists expected = alone.packed(32), room = counted.packed(32), found = both.packed(32);
+        std::size_t lost = 0;
+        for (std::size_t at = 0; at < found.size(); ++at) {
+            const std::size_t places = std::max<std::size_t>(room[at].size(), 1);
+            CHECK(found[at].size() == std::min(expected[at].size(), places));
+            lost += expected[at].size() - found[at].size();
+            for (const fragment& each : found[at])
+                CHECK(std::ranges::find(expected[at], each) != expected[at].end());
+            CHECK((found[at].empty() || found[at][0] == expected[at][0]));
+        }
+        CHECK(both.count_in("fragments_beyond_pool") == lost);
     }
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What an image of normals may hold: any length, and texels without a direction.
+// What an image of normals may hold: any length, texels without a direction, and what hosts have.
 #include "run.hpp"
 #include "techniques.hpp"
 
 #include <doctest/doctest.h>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <cmath>
 #include <limits>
@@ -74,5 +76,96 @@ TEST_CASE("normals that are zero or not finite count as facing the eye") {
             REQUIRE(std::isfinite(v));
         oracle::check_within(oracle::compare(image, expect(p, t, oracle::settings_of(how, *composed))),
                              oracle::of_rounding);
+    }
+}
+
+namespace {
+
+/// Normals with two or three components a texel, as hosts store them: by the texts of graphics pages, not by
+/// what the shader does.
+std::vector<float> stored(const std::vector<glm::vec3>& normals, bool packed, bool octahedral) {
+    std::vector<float> texels;
+    for (const glm::vec3& n : normals) {
+        if (octahedral) { // Cigolle et al. 2014, listing 1
+            const float sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
+            glm::vec2 p(n.x / sum, n.y / sum);
+            if (n.z < 0)
+                p = {(1 - std::abs(n.y / sum)) * (n.x >= 0 ? 1.0f : -1.0f),
+                     (1 - std::abs(n.x / sum)) * (n.y >= 0 ? 1.0f : -1.0f)};
+            texels.insert(texels.end(), {p.x / 2 + 0.5f, p.y / 2 + 0.5f});
+        } else if (packed) {
+            texels.insert(texels.end(), {n.x / 2 + 0.5f, n.y / 2 + 0.5f, n.z / 2 + 0.5f, 1.0f});
+        } else {
+            texels.insert(texels.end(), {n.x, n.y, n.z, 0.0f});
+        }
+    }
+    return texels;
+}
+
+}
+
+TEST_CASE("normals as hosts have them give what those of view space give") {
+    const oracle::picture p = oracle::draw(oracle::still_life(), oracle::lens::standard, 97, 61);
+    const glm::mat3 to_view =
+        glm::mat3(glm::rotate(glm::mat4(1), 2.1f, glm::normalize(glm::vec3(1, -2, 0.5f))));
+    std::vector<glm::vec3> of_world;
+    for (const glm::vec3& n : p.normals)
+        of_world.push_back(glm::transpose(to_view) * n);
+    struct kind {
+        const char* name;
+        bool packed, octahedral, world;
+    };
+    for (const kind& each :
+         {kind{"packed_normals", true, false, false}, kind{"octahedral_normals", true, true, false},
+          kind{"world_normals", false, false, true}, kind{"packed_world_normals", true, false, true},
+          kind{"octahedral_world_normals", true, true, true}}) {
+        for (const oracle::technique& t : techniques()) {
+            CAPTURE(std::string(each.name));
+            CAPTURE(t.recipe());
+            const auto composed = oracle::compose(t.recipe() + "/" + each.name);
+            const crease::effect_view effect = *composed;
+            crease::parameters how = oracle::view_parameters(p, effect, 0.5);
+            if (each.world) {
+                const glm::mat4 matrix(to_view);
+                REQUIRE(crease::set_world_to_view(how, effect.settings, glm::value_ptr(matrix)));
+            }
+            crease::vulkan::runner runner(oracle::device(), effect, static_cast<unsigned>(p.width),
+                                          static_cast<unsigned>(p.height));
+            oracle::upload(runner, effect, p);
+            runner.upload("normal", stored(each.world ? of_world : p.normals, each.packed, each.octahedral));
+            runner.run(how);
+            oracle::difference allowed = oracle::of_rounding;
+            if (each.packed && !each.octahedral) // in 8 bits a component
+                allowed = {.typical = 0.02, .mean = 0.004, .border = 0.006, .most = 0.4, .bias = 0.003};
+            oracle::check_within(oracle::compare(runner.download("visibility"),
+                                                 expect(p, t, oracle::settings_of(how, effect))),
+                                 allowed);
+        }
+    }
+}
+
+TEST_CASE("logarithmic depth gives what device depth gives") {
+    const oracle::picture p = oracle::draw(oracle::still_life(), oracle::lens::standard, 97, 61);
+    for (const double far_plane : {60.0, 1e5}) {
+        std::vector<float> depth;
+        for (int y = 0; y < p.height; ++y)
+            for (int x = 0; x < p.width; ++x) {
+                const double w = p.background(x, y) ? far_plane : -p.position(x, y).z;
+                depth.push_back(static_cast<float>(std::log2(1 + w) / std::log2(1 + far_plane)));
+            }
+        for (const oracle::technique& t : techniques()) {
+            CAPTURE(t.recipe());
+            const auto composed = oracle::compose(t.recipe() + "/logarithmic_depth");
+            crease::parameters how = oracle::view_parameters(p, *composed, 0.5);
+            oracle::set(how, *composed, "logarithmic_depth.far", far_plane);
+            crease::vulkan::runner runner(oracle::device(), *composed, static_cast<unsigned>(p.width),
+                                          static_cast<unsigned>(p.height));
+            oracle::upload(runner, *composed, p);
+            runner.upload("depth", depth);
+            runner.run(how);
+            oracle::check_within(oracle::compare(runner.download("visibility"),
+                                                 expect(p, t, oracle::settings_of(how, *composed))),
+                                 oracle::of_rounding);
+        }
     }
 }

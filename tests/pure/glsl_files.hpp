@@ -14,12 +14,16 @@ inline std::set<const crease::glsl_file*> all_glsl_files() {
     };
     for (const crease::part* each : crease::all_parts) {
         add(each->files);
-        for (const crease::step& step : each->steps)
+        add(each->widened.files);
+        for (const crease::step& step : each->steps) {
             add(step.files);
+            add(step.widened.files);
+        }
     }
     add(crease::core_files);
-    for (const crease::glsl_file* file : {&crease::build_glsl, &crease::build_rows_glsl,
-                                          &crease::build_columns_glsl, &crease::fullscreen_glsl})
+    for (const crease::glsl_file* file :
+         {&crease::build_glsl, &crease::build_rows_glsl, &crease::build_columns_glsl,
+          &crease::fullscreen_glsl, &crease::glsl_es_300_glsl})
         all.insert(file);
     return all;
 }

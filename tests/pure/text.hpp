@@ -19,9 +19,9 @@ constexpr bool contains(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
 }
 
-/// The text after its first line, which names the recipe.
+/// The text after its first comment, which names the recipe.
 constexpr std::string_view without_recipe(std::string_view text) {
-    return text.substr(text.find('\n') + 1);
+    return text.substr(text.find('\n', text.find("// ")) + 1);
 }
 
 /// Whether the text is one line of comment and then `version`.

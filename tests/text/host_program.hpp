@@ -22,19 +22,55 @@ inline std::string text_of(const crease::pass& p) {
     return text;
 }
 
-/// The text after its first line, which names the recipe.
-inline std::string without_recipe(const std::string& text) {
-    return text.substr(text.find('\n') + 1);
+/// The text without its first comment, which names the recipe.
+inline std::string without_recipe(std::string text) {
+    const std::size_t at = text.find("// ");
+    return text.erase(at, text.find('\n', at) + 1 - at);
+}
+
+/// What a host writes before the functions of a pass.
+inline std::string host_begins(const crease::pass& p) {
+    if (p.dialect != crease::dialect_kind::glsl_es)
+        return p.dialect == crease::dialect_kind::opengl ? "#version 430\n"
+               : p.dialect == crease::dialect_kind::vulkan
+                   ? "#version 450\n"
+                   : "#version 450\n#extension "
+                     "GL_EXT_samplerless_texture_functions : require\n";
+    const bool is_300 = text_of(p).find("/glsl_es:300") != std::string::npos;
+    return std::string("#version ") + (is_300 ? "300" : "310") +
+           " es\nprecision highp float;\nprecision highp int;\n";
+}
+
+/// The stage of the whole program: functions of GLSL ES stand in a fragment shader, as 3.00 has no other.
+inline crease::spirv::shader_stage stage_of_whole(const crease::pass& p) {
+    using enum crease::stage_kind;
+    const bool is_es = p.dialect == crease::dialect_kind::glsl_es;
+    return p.stage == compute || (p.stage == functions && !is_es) ? crease::spirv::shader_stage::compute
+                                                                  : crease::spirv::shader_stage::fragment;
 }
 
 /// The pieces of a pass as a whole program: as they are, or within a shader of the host.
 inline std::vector<crease::piece> whole_program(const crease::pass& p) {
+    using namespace std::string_view_literals;
     const bool vulkan = p.dialect == crease::dialect_kind::vulkan;
     std::vector<crease::piece> whole(p.pieces.begin(), p.pieces.end());
-    const crease::piece version{"version", vulkan ? "#version 450\n" : "#version 430\n"};
+    if (p.stage == crease::stage_kind::functions || p.stage == crease::stage_kind::geometry) {
+        static thread_local std::string begin;
+        begin = host_begins(p);
+        whole.insert(whole.begin(), {"version", begin});
+    }
     if (p.stage == crease::stage_kind::functions) {
-        whole.insert(whole.begin(), {version, {"host", "layout(local_size_x = 8) in;\n"}});
         const bool is_last = text_of(p).find("float crease_visibility(") != std::string::npos;
+        if (p.dialect == crease::dialect_kind::glsl_es) {
+            whole.push_back(
+                {"host",
+                 is_last ? "out vec4 host_value;\n"
+                           "void main() { host_value = vec4(crease_visibility(ivec2(gl_FragCoord.xy))); }\n"sv
+                         : "out uvec4 host_value;\n"
+                           "void main() { host_value = crease_handed_on(ivec2(gl_FragCoord.xy)); }\n"sv});
+            return whole;
+        }
+        whole.insert(whole.begin() + 1, {"host", "layout(local_size_x = 8) in;\n"});
         whole.push_back(
             {"host",
              is_last ? "layout(std430, binding = 9) buffer host_result { float host_value; };\n"
@@ -42,7 +78,6 @@ inline std::vector<crease::piece> whole_program(const crease::pass& p) {
                      : "layout(std430, binding = 9) buffer host_result { uvec4 host_value; };\n"
                        "void main() { host_value = crease_handed_on(ivec2(gl_GlobalInvocationID.xy)); }\n"});
     } else if (p.stage == crease::stage_kind::geometry) {
-        whole.insert(whole.begin(), version);
         whole.push_back(
             {"host", vulkan ? "layout(location = 0) in vec3 host_position;\n"
                               "void main() { crease_capture(host_position); }\n"
@@ -55,10 +90,7 @@ inline std::vector<crease::piece> whole_program(const crease::pass& p) {
 inline void check_vulkan(const crease::effect_view& effect, const crease::pass& p) {
     using namespace crease;
     const bool functions = p.stage == stage_kind::functions;
-    const spirv::shader_stage stage = functions || p.stage == stage_kind::compute
-                                          ? spirv::shader_stage::compute
-                                          : spirv::shader_stage::fragment;
-    const spirv::words module = spirv::compile(whole_program(p), stage, p.name);
+    const spirv::words module = spirv::compile(whole_program(p), stage_of_whole(p), p.name);
     spirv::validate(module);
     pass declared = p;
     std::vector<std::string> expected;
@@ -72,7 +104,7 @@ inline void check_vulkan(const crease::effect_view& effect, const crease::pass& 
         spirv::validate(spirv::compile_vertex(p));
 }
 
-/// The same of OpenGL, as far as that can be told without a driver.
+/// The same of OpenGL and OpenGL ES, as far as that can be told without a driver.
 inline void check_opengl(const crease::pass& p) {
     using namespace crease;
     const std::vector<piece> whole = whole_program(p);
@@ -82,7 +114,8 @@ inline void check_opengl(const crease::pass& p) {
     }
     pass host = p;
     if (p.stage == stage_kind::functions) {
-        host.stage = stage_kind::compute;
+        host.stage =
+            stage_of_whole(p) == spirv::shader_stage::compute ? stage_kind::compute : stage_kind::fragment;
         host.pieces = whole;
     }
     spirv::check_opengl(host);
@@ -98,8 +131,10 @@ inline void check_program(const crease::effect_view& effect, const crease::pass&
         without_use.insert(each + " in " + std::string(p.name));
     for (const std::string& each : definitions_without_caller(whole_program(p)))
         without_use.insert(each + " in " + std::string(p.name));
-    if (p.dialect == crease::dialect_kind::opengl)
-        check_opengl(p);
-    else
+    if (p.dialect == crease::dialect_kind::vulkan)
         check_vulkan(effect, p);
+    else if (p.dialect == crease::dialect_kind::webgpu)
+        crease::spirv::validate(crease::spirv::compile(whole_program(p), stage_of_whole(p), p.name));
+    else
+        check_opengl(p);
 }

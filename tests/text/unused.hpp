@@ -48,7 +48,7 @@ inline std::vector<std::string> identifiers_without_use(std::string_view text) {
 
 /// The definitions of a program that nothing in it calls or names, directly or by others, from `main`, the
 /// interface and what a host writes around it. The module does not tell, as glslang drops what is not called.
-/// @param whole  each piece one definition, or what is not crease's
+/// @param whole  each piece one definition, or what is not crease's, or a piece of the root
 inline std::vector<std::string> definitions_without_caller(std::span<const crease::piece> whole) {
     std::map<crease::symbol, std::set<crease::symbol>> references;
     std::map<crease::symbol, std::string> texts;
@@ -58,7 +58,8 @@ inline std::vector<std::string> definitions_without_caller(std::span<const creas
         const crease::glsl_file file{each.name, each.text};
         const auto table = std::make_unique<crease::symbol_table>(crease::read_symbols(file));
         const crease::symbol name = table->definitions.size() == 1 ? table->definitions[0].name : 0;
-        const bool is_root = each.name == "interface" || each.name == "host" || name == crease::main_symbol;
+        const bool is_root =
+            each.name == "interface" || each.name == "host" || name == crease::main_symbol || name == 0;
         for_each_identifier(each.text, [&](std::string_view word, std::string_view) {
             if (is_root)
                 next.push_back(crease::symbol_of(word));

@@ -99,6 +99,43 @@ TEST_CASE("what is drawn feeds a runner without a round trip") {
     CHECK_NOTHROW(device.check_messages());
 }
 
+TEST_CASE("colours of the vertices") {
+    vulkan::device& device = validated_device();
+    constexpr piece vertex_of_colour = {"colour.vert", R"glsl(#version 450
+layout(location = 0) in vec3 position;
+layout(location = 2) in vec4 colour;
+layout(location = 0) out vec4 shown;
+void main() {
+    shown = colour;
+    gl_Position = vec4(position, 1.0);
+}
+)glsl"};
+    constexpr piece fragment_of_colour = {"colour.frag", R"glsl(#version 450
+layout(location = 0) in vec4 shown;
+layout(location = 0) out vec4 drawn;
+void main() { drawn = shown; }
+)glsl"};
+    constexpr format whole[] = {format::rgba32_float};
+    vulkan::rasteriser rasteriser(device,
+                                  {.vertex = {&vertex_of_colour, 1},
+                                   .fragment = {&fragment_of_colour, 1},
+                                   .colours = whole,
+                                   .push_constant_bytes = 0},
+                                  8, 6);
+    const std::vector<float> triangles = two_triangles(0.25f, 0.5f);
+    std::vector<float> rgba;
+    for (const float of_triangle : {0.25f, 0.75f})
+        for (int corner = 0; corner < 3; ++corner)
+            rgba.insert(rgba.end(), {of_triangle, 0.5f, 1, 0.125f});
+    rasteriser.draw(vulkan::mesh(device, triangles, rgba));
+    const std::vector<float> drawn = vulkan::download(device, rasteriser.colour(0));
+    CHECK(std::vector<float>(drawn.begin(), drawn.begin() + 4) == std::vector<float>{0.25f, 0.5f, 1, 0.125f});
+    CHECK(drawn[7 * 4] == 0.75f);
+    CHECK(sentence_of([&] { rasteriser.draw(vulkan::mesh(device, triangles)); }) ==
+          "the vertex shader takes a colour at location 2, and the mesh has none");
+    CHECK_NOTHROW(device.check_messages());
+}
+
 TEST_CASE("what a rasteriser refuses") {
     vulkan::device& device = validated_device();
     const auto said = [&](const vulkan::rasteriser_options& o, std::uint32_t width) {

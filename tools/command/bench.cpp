@@ -75,7 +75,8 @@ std::vector<frame_times> time_candidates(vulkan::device& device, const std::vect
 
 nlohmann::ordered_json measure(vulkan::device& device, const candidate& of, const frame_times& times,
                                const std::vector<subject>& views) {
-    nlohmann::ordered_json passes = nlohmann::ordered_json::array(), each = nlohmann::ordered_json::array();
+    nlohmann::ordered_json captures = nlohmann::ordered_json::array(),
+                           passes = nlohmann::ordered_json::array(), each = nlohmann::ordered_json::array();
     score mean;
     const recipe run = supported(device, seen_by(views[0].from, of.chosen));
     for (const pass_work& p : work_of(run)) {
@@ -86,8 +87,10 @@ nlohmann::ordered_json measure(vulkan::device& device, const candidate& of, cons
                           {"milliseconds", milliseconds}});
         mean.milliseconds += milliseconds;
     }
-    for (const vulkan::pass_time& t : times.captures)
+    for (const vulkan::pass_time& t : times.captures) {
+        captures.push_back({{"name", t.pass}, {"milliseconds", t.milliseconds}});
         mean.capture_milliseconds += t.milliseconds;
+    }
     for (const subject& view : views) {
         const frame made = run_effect(device, of.chosen, view.inputs, of.options_for(view.from));
         const comparison_settings mask = view.mask_of_background();
@@ -123,6 +126,7 @@ nlohmann::ordered_json measure(vulkan::device& device, const candidate& of, cons
             {"ssim", mean.ssim},
             {"bias", mean.bias},
             {"change", mean.change},
+            {"captures", captures},
             {"passes", passes},
             {"views", each}};
 }
@@ -134,8 +138,8 @@ void print(const nlohmann::ordered_json& row) {
         row["recipe"].get<std::string>(), row["milliseconds"].get<double>(), row["rmse_hard"].get<double>(),
         row["rmse_linear"].get<double>(), row["rmse_quad"].get<double>(), row["ssim"].get<double>(),
         row["bias"].get<double>(), row["change"].get<double>());
-    if (row["capture_milliseconds"].get<double>() > 0)
-        fmt::print("    {:<54} {:7.2f} ms\n", "captures", row["capture_milliseconds"].get<double>());
+    for (const auto& c : row["captures"])
+        fmt::print("    {:<54} {:7.2f} ms\n", c["name"].get<std::string>(), c["milliseconds"].get<double>());
     for (const auto& v : row["views"])
         for (const char* extra : {"rmse_hidden", "bias_hidden", "bent_degrees"})
             if (v.contains(extra))

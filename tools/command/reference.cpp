@@ -21,12 +21,13 @@ struct reference_options {
     scene_options scene;
     unsigned rays = 256;
     std::uint32_t seed = 1;
-    bool mask = false;
+    bool mask = false, hull = false;
     std::filesystem::path directory;
 };
 
 void run(const reference_options& options) {
-    const mesh scene = scene_of(options.scene.scene);
+    const mesh scene = scene_of(options.scene.scene, options.scene.opacity);
+    check_hull(options.hull, scene);
     const camera from = options.scene.choose(cameras_of(options.scene.scene, scene, options.scene.cameras));
     progress shown("tracing");
     truth_settings settings{.width = from.width,
@@ -34,6 +35,7 @@ void run(const reference_options& options) {
                             .radius = from.ao_radius,
                             .rays = options.rays,
                             .first_layer = options.mask,
+                            .hull = options.hull,
                             .seed = options.seed,
                             .progress = [&shown](double done) {
                                 shown(done);
@@ -56,6 +58,8 @@ void run(const reference_options& options) {
     write_png(files.add("ao_linear.png"), traced.ao_linear);
     nlohmann::ordered_json meta = described(options.scene, from);
     meta.update({{"rays", options.rays}, {"seed", options.seed}, {"triangles", scene.triangles()}});
+    if (is_transparent(scene))
+        meta["transparent"] = options.hull ? "thin hulls" : "solids";
     files.appear(meta, options.scene.inputs());
     fmt::print("{}: visibility of '{}' from '{}', {} x {}, by {} rays a texel\n", options.directory.string(),
                options.scene.scene, from.name, from.width, from.height, options.rays);
@@ -73,6 +77,7 @@ void add_reference(CLI::App& app) {
     command->add_flag(
         "--mask", options->mask,
         "also where geometry that the camera cannot see takes more than 0.15 of the visibility");
+    add_hull_option(*command, options->hull);
     command->add_option("--seed", options->seed, "of the rays")
         ->check(whole_number_from(0, std::numeric_limits<std::uint32_t>::max()))
         ->capture_default_str();

@@ -96,7 +96,7 @@ void run(const render_options& options) {
                       .settings = parse_settings(options.settings),
                       .frame = options.frame};
     settle(wanted, how);
-    const mesh scene = scene_of(options.scene.scene);
+    const mesh scene = scene_of(options.scene.scene, options.scene.opacity);
     const std::vector<camera> cameras = cameras_of(options.scene.scene, scene, options.scene.cameras);
     const camera from = options.scene.choose(cameras);
     how.radius = from.ao_radius;

@@ -9,6 +9,24 @@
 
 namespace crease::tools {
 
+namespace {
+
+/// A scene that needs no file.
+struct built_in {
+    const char* name;
+    mesh (*scene)();
+    std::vector<camera> (*cameras)();
+};
+
+const built_in* find_built_in(const std::string& name) {
+    static constexpr built_in all[] = {{"built-in", &built_in_scene, &built_in_cameras},
+                                       {"glass", &glass_scene, &glass_cameras}};
+    const auto found = std::ranges::find(all, name, &built_in::name);
+    return found == std::end(all) ? nullptr : found;
+}
+
+}
+
 void note(const std::string& sentence) {
     fmt::print(stderr, "crease: {}\n", sentence);
 }
@@ -44,8 +62,25 @@ void add_depth_option(CLI::App& command, device_depth_kind& depth) {
         ->check(CLI::IsMember({"reversed", "standard", "infinite"}));
 }
 
-mesh scene_of(const std::string& name) {
-    return name == "built-in" ? built_in_scene() : load_mesh(name);
+mesh scene_of(const std::string& name, std::optional<float> opacity) {
+    const built_in* known = find_built_in(name);
+    mesh scene = known ? known->scene() : load_mesh(name);
+    return opacity ? with_opacity(std::move(scene), *opacity) : scene;
+}
+
+void add_opacity_option(CLI::App& command, std::optional<float>& opacity) {
+    command.add_option("--opacity", opacity, "of every surface that is opaque otherwise, above 0")
+        ->check(number_from(0.001, 1));
+}
+
+void add_hull_option(CLI::App& command, bool& hull) {
+    command.add_flag("--hull", hull,
+                     "the truth takes transparent surfaces for thin hulls, of which both sides are occluded");
+}
+
+void check_hull(bool hull, const mesh& scene) {
+    if (hull && !is_transparent(scene))
+        throw scene_error("--hull: the scene has no transparent surface; leave it out, or use --opacity");
 }
 
 std::filesystem::path cameras_beside(const std::string& scene_name) {
@@ -56,8 +91,8 @@ std::vector<camera> cameras_of(const std::string& scene_name, const mesh& scene,
                                const std::filesystem::path& file) {
     if (!file.empty())
         return load_cameras(file);
-    if (scene_name == "built-in")
-        return built_in_cameras();
+    if (const built_in* known = find_built_in(scene_name))
+        return known->cameras();
     const std::filesystem::path beside = cameras_beside(scene_name);
     if (std::filesystem::exists(beside))
         return load_cameras(beside);
@@ -79,7 +114,7 @@ void check_sight(const camera& from, const image& depth) {
 }
 
 void scene_options::add_to(CLI::App& command) {
-    command.add_option("scene", scene, "a .glb, .gltf or .obj file, or built-in")->required();
+    command.add_option("scene", scene, "a .glb, .gltf or .obj file, or built-in, or glass")->required();
     command.add_option("--cameras", cameras,
                        "JSON list of cameras; else <stem>.cameras.json beside the scene, or a camera that is "
                        "fitted to it");
@@ -90,6 +125,7 @@ void scene_options::add_to(CLI::App& command) {
         ->check(whole_number_from(1, longest_side));
     command.add_option("--radius", radius, "world-space AO radius; else the camera's")
         ->check(number_from(0, farthest_coordinate));
+    add_opacity_option(command, opacity);
     lens.add_to(command);
 }
 
@@ -102,15 +138,18 @@ camera scene_options::choose(const std::vector<tools::camera>& all) const {
 }
 
 nlohmann::ordered_json described(const scene_options& options, const camera& from) {
-    return {{"scene", options.scene},
-            {"camera", from.name},
-            {"width", from.width},
-            {"height", from.height},
-            {"near", from.near},
-            {"far", from.far},
-            {"projection", from.orthographic ? "orthographic" : "perspective"},
-            {"shift", {from.shift.x, from.shift.y}},
-            {"radius", from.ao_radius}};
+    nlohmann::ordered_json all{{"scene", options.scene},
+                               {"camera", from.name},
+                               {"width", from.width},
+                               {"height", from.height},
+                               {"near", from.near},
+                               {"far", from.far},
+                               {"projection", from.orthographic ? "orthographic" : "perspective"},
+                               {"shift", {from.shift.x, from.shift.y}},
+                               {"radius", from.ao_radius}};
+    if (options.opacity)
+        all["opacity"] = *options.opacity;
+    return all;
 }
 
 }

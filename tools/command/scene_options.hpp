@@ -31,13 +31,23 @@ struct lens_options {
 /// The option of the device depth that a G-buffer has.
 void add_depth_option(CLI::App& command, device_depth_kind& depth);
 
-/// The triangles of a file, or of the built-in scene.
-mesh scene_of(const std::string& name);
+/// The triangles of a file, or of a built-in scene.
+/// @param opacity  for each surface that is opaque otherwise
+mesh scene_of(const std::string& name, std::optional<float> opacity = {});
+
+/// Adds the option of that opacity.
+void add_opacity_option(CLI::App& command, std::optional<float>& opacity);
+
+/// Adds the flag that makes thin hulls of transparent surfaces for the truth.
+void add_hull_option(CLI::App& command, bool& hull);
+
+/// @throws scene_error where hulls are asked for and nothing is transparent
+void check_hull(bool hull, const mesh& scene);
 
 /// Where the cameras of a scene are looked for: <stem>.cameras.json beside it.
 std::filesystem::path cameras_beside(const std::string& scene_name);
 
-/// The cameras of `file` where there is one; else those of the built-in scene, or of the file beside the
+/// The cameras of `file` where there is one; else those of a built-in scene, or of the file beside the
 /// scene; else one that is fitted to it, which a line on stderr says.
 std::vector<camera> cameras_of(const std::string& scene_name, const mesh& scene,
                                const std::filesystem::path& file = {});
@@ -48,11 +58,11 @@ void check_sight(const camera& from, const image& depth);
 
 /// The arguments that choose a view of a scene.
 struct scene_options {
-    std::string scene; ///< a path, or "built-in"
+    std::string scene; ///< a path, or the name of a built-in scene
     std::filesystem::path cameras;
     std::string camera;
     std::optional<unsigned> width, height;
-    std::optional<float> radius;
+    std::optional<float> radius, opacity;
     lens_options lens;
 
     void add_to(CLI::App& command);

@@ -35,6 +35,7 @@ truth truth_of(const subject& view, const mesh& scene, const view_options& optio
                                   .radius = view.from.ao_radius,
                                   .rays = options.rays,
                                   .first_layer = options.hidden,
+                                  .hull = options.hull,
                                   .progress = [&](double done) {
                                       if (!bar)
                                           bar.emplace("tracing " + label);
@@ -47,7 +48,8 @@ truth truth_of(const subject& view, const mesh& scene, const view_options& optio
 
 void add_views(vulkan::device& device, const std::string& path, const view_options& options,
                std::vector<subject>& views) {
-    const mesh scene = scene_of(path);
+    const mesh scene = scene_of(path, options.opacity);
+    check_hull(options.hull, scene);
     for (const camera& each : cameras_of(path, scene)) {
         if (!options.cameras.empty() && std::ranges::count(options.cameras, each.name) == 0)
             continue;
@@ -73,8 +75,11 @@ void add_views(vulkan::device& device, const std::string& path, const view_optio
 }
 
 void view_options::add_to(CLI::App& command) {
-    command.add_option("scenes", scenes,
-                       "scene files, with their cameras in <stem>.cameras.json, or built-in; else built-in");
+    command.add_option(
+        "scenes", scenes,
+        "scene files, with their cameras in <stem>.cameras.json, or built-in, or glass; else built-in");
+    add_opacity_option(command, opacity);
+    add_hull_option(command, hull);
     command.add_option("--guard", guard, "width of the guard band around the pictures, texels")
         ->check(whole_number_from(0, 4096));
     add_each(command, "--cameras", cameras, "name of a camera to use; else all");

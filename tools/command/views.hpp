@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct view_options {
     std::vector<std::string> scenes{}, cameras{};
     lens_options lens{};
     device_depth_kind depth = device_depth_kind::reversed;
+    std::optional<float> opacity{}; ///< of surfaces that are opaque otherwise
+    bool hull = false;              ///< transparent surfaces are thin hulls to the truth
     unsigned guard = 0, width = 1280, height = 720, rays = 256;
     std::filesystem::path truths{}; ///< a directory that keeps them; empty: none does
     bool hidden = false;            ///< where occluders hide is known too

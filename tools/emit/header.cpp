@@ -183,10 +183,10 @@ private:
             "    {{.name = {}, .kind = ::crease::resource_kind::{}, .texels = ::crease::format::{},\n"
             "     .element = {}, .life = ::crease::lifetime::{}, .size = {}, .meaning = {}, .layers = {},\n"
             "     .samples = {}, .arrayed = {}, .centred = {}, .read = ::crease::access::{},\n"
-            "     .previous_of = {}, .cleared = {}, .clear = {}, .fill = {}}},\n",
+            "     .previous_of = {}, .cleared = {}, .clear = {}, .fill = {}, .content = {}}},\n",
             quoted(r.name), name_of(r.kind), facts_of(r.texels).name, quoted(r.element), name_of(r.life),
             extent_of(r.size), quoted(r.meaning), r.layers, r.samples, r.arrayed, r.centred, name_of(r.read),
-            quoted(r.previous_of), r.cleared, r.clear, fill);
+            quoted(r.previous_of), r.cleared, r.clear, fill, quoted(r.content));
     }
 
     emission& of_;

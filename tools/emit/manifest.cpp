@@ -28,9 +28,23 @@ double number_of(float value) {
 }
 
 ordered_json size_of(const extent& size) {
+    ordered_json told = {{"divisor", size.divisor}, {"guarded", size.guarded}};
     if (size.fixed_width)
-        return {{"width", size.fixed_width}, {"height", size.fixed_height}};
-    return {{"divisor", size.divisor}, {"guarded", size.guarded}};
+        told = {{"width", size.fixed_width}, {"height", size.fixed_height}};
+    if (size.level)
+        told["level"] = size.level;
+    return told;
+}
+
+ordered_json binding_of(const binding& b, const effect_view& effect) {
+    ordered_json told{{"name", b.name},
+                      {"resource", effect.resources[b.resource].name},
+                      {"access", name_of(b.how)},
+                      {"set", b.set},
+                      {"slot", b.slot}};
+    if (b.level != binding::all_levels)
+        told["level"] = b.level;
+    return told;
 }
 
 /// What a translation places otherwise than the pass says.
@@ -80,11 +94,7 @@ ordered_json pass_of(const emission& of, std::size_t i) {
         told["shaders"].push_back(shader_of(shader, of));
     told["bindings"] = ordered_json::array();
     for (const binding& b : p.bindings)
-        told["bindings"].push_back({{"name", b.name},
-                                    {"resource", of.effect.resources[b.resource].name},
-                                    {"access", name_of(b.how)},
-                                    {"set", b.set},
-                                    {"slot", b.slot}});
+        told["bindings"].push_back(binding_of(b, of.effect));
     told["constants"] = ordered_json::array();
     for (const constant& c : p.constants)
         told["constants"].push_back(
@@ -107,6 +117,10 @@ ordered_json resource_of(const resource& r, const std::vector<std::string>& file
         told["samples"] = r.samples;
         told["centred"] = r.centred;
     }
+    if (r.levels > 1)
+        told["levels"] = r.levels;
+    if (!r.content.empty())
+        told["content"] = r.content;
     if (!r.meaning.empty())
         told["meaning"] = r.meaning;
     if (!r.previous_of.empty())

@@ -31,10 +31,20 @@ std::vector<float> flat_vertices(const eye_mesh& scene) {
     return numbers;
 }
 
+std::vector<float> colours_of_vertices(const eye_mesh& scene) {
+    std::vector<float> numbers;
+    numbers.reserve(scene.indices.size() * vulkan::mesh::numbers_per_colour);
+    for (std::size_t i = 0; i < scene.indices.size(); ++i) {
+        const glm::vec4& c = scene.material_of(i / 3).colour;
+        numbers.insert(numbers.end(), {c.r, c.g, c.b, c.a});
+    }
+    return numbers;
+}
+
 }
 
 std::shared_ptr<vulkan::mesh> upload_geometry(vulkan::device& device, const eye_mesh& scene) {
-    return std::make_shared<vulkan::mesh>(device, flat_vertices(scene));
+    return std::make_shared<vulkan::mesh>(device, flat_vertices(scene), colours_of_vertices(scene));
 }
 
 glm::mat4 projection_matrix(const camera& from, const eye_scale& scene, device_depth_kind depth) {

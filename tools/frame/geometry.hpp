@@ -39,7 +39,7 @@ constexpr float background_of(device_depth_kind kind) {
     return kind == device_depth_kind::standard ? 1.0f : 0.0f;
 }
 
-/// Positions and face normals of all triangles.
+/// Positions, face normals and colours of all triangles.
 /// @throws vulkan::error
 std::shared_ptr<vulkan::mesh> upload_geometry(vulkan::device& device, const eye_mesh& scene);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/frame.hpp"
 
+#include "frame/content.hpp"
+
 #include "measure/median.hpp"
 
 #include <crease/second_camera.hpp>
@@ -41,20 +43,16 @@ void main() { crease_capture(anchor); }
 )glsl";
 
 void upload_inputs(vulkan::runner& runner, const effect_view& effect, const gbuffer& inputs) {
-    for (const resource& wanted : effect.resources) {
-        if (wanted.life != lifetime::input || wanted.kind != resource_kind::image)
-            continue;
-        if (wanted.name == "normal") {
-            runner.upload(wanted.name, inputs.normals);
-        } else if (wanted.texels == format::d32_float) {
-            runner.upload(wanted.name, inputs.device);
-        } else {
-            std::vector<float> linear;
-            for (float z : inputs.device)
-                linear.push_back(z == background_of(inputs.depth_kind) ? 0 : linear_depth_of(inputs, z));
-            runner.upload(wanted.name, linear);
-        }
-    }
+    for (const resource& wanted : effect.resources)
+        if (wanted.life == lifetime::input && wanted.kind == resource_kind::image)
+            runner.upload(wanted.name, content_of(wanted, inputs));
+}
+
+/// What an effect must know of the camera beside its projection.
+void describe_camera(parameters& how, const effect_view& effect, const gbuffer& inputs) {
+    const glm::mat4 to_view(glm::dmat4(view_rotation(inputs.from)));
+    set_world_to_view(how, effect.settings, glm::value_ptr(to_view));
+    set(how, effect.settings, "logarithmic_depth.far", far_plane(inputs));
 }
 
 /// The places of the further cameras: on both sides of the first, turned to the middle of what it sees, and
@@ -171,6 +169,7 @@ prepared_effect::prepared_effect(vulkan::device& device, const recipe& wanted, c
         throw recipe_error("a recipe that is run is of programs in the vulkan dialect");
     how_.view = inputs.view;
     how_.radius = inputs.drawn.scale.radius(options.radius);
+    describe_camera(how_, effect, inputs);
     if (effect.views > 1)
         place_further(how_, inputs, options);
     runner_ = std::make_unique<vulkan::runner>(

@@ -49,12 +49,25 @@ eye_mesh seen_from(const glm::dvec3& eye, const mesh& scene) {
     made.positions.reserve(scene.positions.size());
     for (const glm::dvec3& p : scene.positions)
         made.positions.emplace_back((p - eye) / made.scale.unit);
+    made.materials = scene.materials;
+    const auto white = static_cast<std::uint32_t>(made.materials.size());
+    made.materials.emplace_back();
+    bool is_seen = false;
     for (std::size_t i = 0; i + 2 < scene.indices.size(); i += 3) {
+        const std::size_t triangle = i / 3;
+        const std::uint32_t of = triangle < scene.material_ids.size() ? scene.material_ids[triangle] : white;
+        if (made.materials[of].colour.a == 0)
+            continue;
+        is_seen = true;
         const glm::dvec3 a = made.positions[scene.indices[i]], b = made.positions[scene.indices[i + 1]],
                          c = made.positions[scene.indices[i + 2]];
-        if (glm::cross(b - a, c - a) != glm::dvec3(0))
-            made.indices.insert(made.indices.end(), &scene.indices[i], &scene.indices[i] + 3);
+        if (glm::cross(b - a, c - a) == glm::dvec3(0))
+            continue;
+        made.indices.insert(made.indices.end(), &scene.indices[i], &scene.indices[i] + 3);
+        made.material_ids.push_back(of);
     }
+    if (!is_seen)
+        throw scene_error("every triangle of the scene has opacity 0, so that nothing is seen");
     if (made.indices.empty())
         throw scene_error(
             fmt::format("the scene is {:.3g} from the eye, where 32-bit positions are {:.3g} apart "

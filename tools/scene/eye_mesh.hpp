@@ -22,14 +22,19 @@ struct eye_scale {
 /// distance to it and not of the place in the world, and in a unit that gives a scene of any size the same
 /// numbers.
 struct eye_mesh {
-    std::vector<glm::vec3> positions;   ///< along the world's axes
-    std::vector<std::uint32_t> indices; ///< three a triangle; each has an area also after rounding
+    std::vector<glm::vec3> positions; ///< along the world's axes
+    std::vector<std::uint32_t>
+        indices;                     ///< three a triangle; each has an area also after rounding, and is seen
+    std::vector<material> materials; ///< that triangles are of
+    std::vector<std::uint32_t> material_ids; ///< of each triangle, places in `materials`
     eye_scale scale;
 
     std::size_t triangles() const { return indices.size() / 3; }
+    const material& material_of(std::size_t triangle) const { return materials[material_ids[triangle]]; }
 };
 
-/// @throws scene_error where the eye is so far that no triangle keeps an area
+/// Without the triangles of opacity 0.
+/// @throws scene_error where no other is left, or the eye is so far that none keeps an area
 eye_mesh seen_from(const glm::dvec3& eye, const mesh& scene);
 
 /// The unit normal of a triangle of corners in 32 bits.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf.hpp"
 
+#include "scene/gltf_material.hpp"
 #include "scene/gltf_nodes.hpp"
 #include "scene/gltf_primitive.hpp"
 #include "scene/limits.hpp"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace crease::tools {
 namespace {
@@ -99,9 +101,14 @@ std::vector<double> weights_of(const gltf_value& of) {
     return of.has("weights") ? of["weights"].numbers(of["weights"].size()) : std::vector<double>();
 }
 
+/// A primitive of a mesh, and what it is of.
+struct painted_primitive : gltf_primitive {
+    material with;
+};
+
 /// A mesh of the file.
 struct part {
-    std::vector<gltf_primitive> primitives;
+    std::vector<painted_primitive> primitives;
     std::vector<double> weights; ///< of the morph targets
 };
 
@@ -167,6 +174,7 @@ private:
         check(steps, most_placing_steps, "steps of instances, morph targets and joints");
         result_.positions.reserve(static_cast<std::size_t>(vertices));
         result_.indices.reserve(3 * static_cast<std::size_t>(triangles));
+        result_.material_ids.reserve(static_cast<std::size_t>(triangles));
     }
 
     static void check(double count, std::size_t most, std::string_view what) {
@@ -196,10 +204,25 @@ private:
             const gltf_value of = root_["meshes"].at(i);
             place->second.weights = weights_of(of);
             for (std::size_t k = 0; k < of["primitives"].size(); ++k)
-                if (gltf_primitive made = read_gltf_primitive(of["primitives"].at(k), accessors_);
-                    made.triangles > 0)
-                    place->second.primitives.push_back(std::move(made));
+                add_primitive(of["primitives"].at(k), place->second);
         }
+        return place->second;
+    }
+
+    void add_primitive(const gltf_value& of, part& to) {
+        gltf_primitive made = read_gltf_primitive(of, accessors_);
+        std::optional<material> with = material();
+        if (of.has("material"))
+            with = material_at(of["material"]);
+        if (made.triangles > 0 && with)
+            to.primitives.push_back({std::move(made), *with});
+    }
+
+    const std::optional<material>& material_at(const gltf_value& reference) {
+        const std::size_t i = reference.index(root_.count("materials"));
+        const auto [place, is_new] = materials_.try_emplace(i);
+        if (is_new)
+            place->second = read_gltf_material(root_["materials"].at(i));
         return place->second;
     }
 
@@ -237,8 +260,10 @@ private:
         const std::vector<glm::dmat4> joints =
             placed.moved_by ? pose(*placed.moved_by) : std::vector<glm::dmat4>();
         for (std::size_t copy = 0; copy < placed.copies.count(); ++copy)
-            for (const gltf_primitive& shape : placed.shape.primitives)
+            for (const painted_primitive& shape : placed.shape.primitives) {
                 add(shape, placed.weights(), joints, nodes_.to_world[node] * placed.copies.at(copy));
+                paint(result_, shape.with);
+            }
     }
 
     void add(const gltf_primitive& shape, const std::vector<double>& weights,
@@ -283,6 +308,7 @@ private:
     gltf_nodes nodes_;
     std::map<std::size_t, part> parts_;
     std::map<std::size_t, skin> skins_;
+    std::map<std::size_t, std::optional<material>> materials_;
     mesh result_;
 };
 

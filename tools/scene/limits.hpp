@@ -11,6 +11,9 @@ namespace crease::tools {
 /// Bytes of a file, and of all further files that a scene names together.
 inline constexpr std::size_t most_file_bytes = std::size_t{1} << 30;
 
+/// Bytes of an .obj file's library of materials.
+inline constexpr std::size_t most_library_bytes = std::size_t{1} << 24;
+
 /// Vertices after every mesh stands wherever it is placed.
 inline constexpr std::size_t most_vertices = std::size_t{1} << 24;
 

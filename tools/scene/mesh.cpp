@@ -19,6 +19,11 @@ bool is_near_enough(const glm::dvec3& p) {
     return holds(p.x) && holds(p.y) && holds(p.z);
 }
 
+bool is_colour(const glm::vec4& c) {
+    const auto holds = [](float x) { return x >= 0 && x <= 1; }; // false for NaN
+    return holds(c.r) && holds(c.g) && holds(c.b) && holds(c.a);
+}
+
 /// The extension in lower case, where it is one that is read.
 std::string known_extension(std::string_view extension, std::string_view name) {
     std::string lower(extension);
@@ -36,7 +41,7 @@ mesh parse(std::string_view bytes, const std::string& extension, std::string_vie
            const std::filesystem::path* folder) {
     mesh made;
     try {
-        made = extension == "obj" ? read_obj(bytes) : read_gltf(bytes, folder);
+        made = extension == "obj" ? read_obj(bytes, folder) : read_gltf(bytes, folder);
     } catch (const scene_error& error) {
         throw scene_error(fmt::format("{}: {}", name, error.what()));
     }
@@ -66,10 +71,39 @@ void check_mesh(const mesh& scene, std::string_view name) {
         throw scene_error(
             fmt::format("{}: the position of vertex {} is not finite, or beyond {:g}; export it again", name,
                         broken - scene.positions.begin(), farthest_coordinate));
+    for (const material& each : scene.materials)
+        if (!is_colour(each.colour))
+            throw scene_error(fmt::format(
+                "{}: a material's colour has a number that is not from 0 to 1; export it again", name));
+    if (std::ranges::any_of(scene.material_ids,
+                            [&](std::uint32_t id) { return id >= scene.materials.size(); }))
+        throw scene_error(
+            fmt::format("{}: a triangle is of a material that is not there; export it again", name));
     const std::uint32_t last = *std::max_element(scene.indices.begin(), scene.indices.end());
     if (last >= scene.positions.size())
         throw scene_error(fmt::format("{}: a triangle uses vertex {} of a mesh that has {}; export it again",
                                       name, last, scene.positions.size()));
+}
+
+void paint(mesh& to, const material& with) {
+    if (to.material_ids.size() >= to.triangles())
+        return;
+    if (to.materials.empty() || to.materials.back() != with)
+        to.materials.push_back(with);
+    to.material_ids.resize(to.triangles(), static_cast<std::uint32_t>(to.materials.size() - 1));
+}
+
+bool is_transparent(const mesh& scene) {
+    return std::ranges::any_of(scene.material_ids,
+                               [&](std::uint32_t id) { return scene.materials[id].colour.a < 1; });
+}
+
+mesh with_opacity(mesh scene, float opacity) {
+    paint(scene, {});
+    for (material& each : scene.materials)
+        if (each.colour.a == 1)
+            each.colour.a = opacity;
+    return scene;
 }
 
 mesh load_mesh(const std::filesystem::path& path) {

@@ -1,80 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "scene/obj.hpp"
 
+#include "image/file.hpp"
 #include "scene/limits.hpp"
+#include "scene/mtl.hpp"
+#include "scene/obj_lines.hpp"
 #include "scene/polygon.hpp"
 #include "scene/shown.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cstdint>
-#include <cstdlib>
+#include <filesystem>
+#include <set>
 #include <string>
 
 namespace crease::tools {
 namespace {
 
-/// Lines of a file; one that ends in a backslash goes on in the next.
-class lines {
-public:
-    explicit lines(std::string_view text) : rest_(text) {
-        constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-        if (rest_.starts_with(byte_order_mark))
-            rest_.remove_prefix(byte_order_mark.size());
-        break_ = rest_.find('\n') == rest_.npos ? '\r' : '\n';
-    }
-
-    /// @return false at the end of the file
-    bool next() {
-        if (rest_.empty())
-            return false;
-        std::size_t end = 0;
-        do {
-            end = std::min(rest_.find(break_, end), rest_.size() - 1) + 1;
-            ++number_;
-        } while (end < rest_.size() && goes_on(rest_.substr(0, end - 1)));
-        words_ = rest_.substr(0, end);
-        rest_.remove_prefix(end);
-        return true;
-    }
-
-    /// Takes the next word off the line; empty at its end.
-    std::string_view word() {
-        constexpr std::string_view blanks = " \t\f\v\r\n\\";
-        words_.remove_prefix(std::min(words_.find_first_not_of(blanks), words_.size()));
-        const std::string_view found = words_.substr(0, words_.find_first_of(blanks));
-        words_.remove_prefix(found.size());
-        return found;
-    }
-
-    [[noreturn]] void fail(std::string_view sentence) const {
-        throw scene_error(fmt::format("line {}: {}; export it again", number_, sentence));
-    }
-
-private:
-    static bool goes_on(std::string_view line) { return line.ends_with('\\') || line.ends_with("\\\r"); }
-
-    std::string_view rest_, words_;
-    char break_;
-    std::size_t number_ = 0;
-};
-
-double number(const lines& line, std::string_view word) {
-    double value = 0;
-    const std::string_view digits = word.substr(word.starts_with('+') ? 1 : 0);
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error == std::errc::result_out_of_range)
-        return std::strtod(std::string(digits).c_str(), nullptr); // infinite, or nearly 0
-    if (error != std::errc() || end != digits.data() + digits.size())
-        line.fail(word.empty() ? "a vertex needs three numbers"
-                               : fmt::format("'{}' is not a number", shown(word)));
-    return value;
-}
-
 /// The vertex of a corner "v", "v/vt", "v//vn" or "v/vt/vn".
-std::uint32_t vertex(const lines& line, std::string_view corner, std::size_t above, std::size_t all) {
+std::uint32_t vertex(const obj_lines& line, std::string_view corner, std::size_t above, std::size_t all) {
     std::int64_t index = 0;
     const auto [end, error] = std::from_chars(corner.data(), corner.data() + corner.size(), index);
     const bool is_read = error == std::errc() && (end == corner.data() + corner.size() || *end == '/');
@@ -86,30 +32,72 @@ std::uint32_t vertex(const lines& line, std::string_view corner, std::size_t abo
 
 std::vector<glm::dvec3> positions_of(std::string_view file) {
     std::vector<glm::dvec3> all;
-    for (lines line(file); line.next();) {
+    for (obj_lines line(file); line.next();) {
         if (line.word() != "v")
             continue;
         if (all.size() == most_vertices)
             throw scene_error(fmt::format("has more than {} vertices; simplify it", most_vertices));
         glm::dvec3& position = all.emplace_back();
         for (int i = 0; i < 3; ++i)
-            position[i] = number(line, line.word());
+            position[i] = number_of(line, line.word(), "a vertex needs three numbers");
         for (std::string_view more = line.word(); !more.empty(); more = line.word())
-            number(line, more); // a weight or a colour
+            number_of(line, more, {}); // a weight or a colour
     }
     return all;
 }
 
+/// The materials of the libraries that a file names, each read once.
+class libraries {
+public:
+    /// @param folder  where they are; null where none may be read
+    explicit libraries(const std::filesystem::path* folder) : folder_(folder) {}
+
+    void read(const obj_lines& line) {
+        if (!folder_ || !read_.emplace(line.rest()).second)
+            return;
+        const std::filesystem::path file = *folder_ / line.rest();
+        std::error_code absent;
+        if (!std::filesystem::is_regular_file(file, absent))
+            return;
+        if (std::filesystem::file_size(file) > most_library_bytes)
+            throw scene_error(fmt::format("needs '{}', which has more than {} bytes; simplify it",
+                                          shown(line.rest()), most_library_bytes));
+        try {
+            materials_.merge(read_mtl(read_file(file)));
+        } catch (const scene_error& error) {
+            throw scene_error(fmt::format("needs '{}': {}", shown(line.rest()), error.what()));
+        }
+    }
+
+    material named(std::string_view name) const {
+        const auto found = materials_.find(name);
+        return found == materials_.end() ? material() : found->second;
+    }
+
+private:
+    const std::filesystem::path* folder_;
+    std::set<std::string, std::less<>> read_;
+    mtl_materials materials_;
+};
+
 }
 
-mesh read_obj(std::string_view file) {
-    mesh made{.positions = positions_of(file), .indices = {}};
+mesh read_obj(std::string_view file, const std::filesystem::path* folder) {
+    mesh made{.positions = positions_of(file)};
     triangulator polygons(made);
+    libraries of_file(folder);
+    material used;
     std::vector<std::uint32_t> face;
     std::size_t above = 0;
-    for (lines line(file); line.next();) {
+    for (obj_lines line(file); line.next();) {
         const std::string_view kind = line.word();
         above += kind == "v";
+        if (kind == "mtllib")
+            of_file.read(line);
+        if (kind == "usemtl") {
+            paint(made, used);
+            used = of_file.named(line.rest());
+        }
         if (kind != "f")
             continue;
         face.clear();
@@ -117,6 +105,7 @@ mesh read_obj(std::string_view file) {
             face.push_back(vertex(line, corner, above, made.positions.size()));
         polygons.add(face);
     }
+    paint(made, used);
     return made;
 }
 

@@ -5,6 +5,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <cstdint>
 #include <filesystem>
@@ -24,18 +25,42 @@ struct scene_error : std::runtime_error {
 /// No coordinate may be farther from 0, so that squares and products of coordinates stay finite.
 inline constexpr double farthest_coordinate = 1e30;
 
-/// Triangles in world space: every one opaque and two-sided.
-struct mesh {
-    std::vector<glm::dvec3> positions;  ///< world space, none beyond `farthest_coordinate`
-    std::vector<std::uint32_t> indices; ///< three a triangle
+/// What a surface looks like. Of textures nothing is read.
+struct material {
+    glm::vec4 colour{1}; ///< linear, 0 to 1; alpha is the opacity: the share of the light that it stops
 
-    std::size_t triangles() const { return indices.size() / 3; }
+    bool operator==(const material&) const = default;
 };
 
-/// @throws scene_error where `scene` has no triangle, a position that is not finite or too far from 0, or an
-/// index out of range;
+/// Triangles in world space, every one two-sided.
+struct mesh {
+    std::vector<glm::dvec3> positions{};       ///< world space, none beyond `farthest_coordinate`
+    std::vector<std::uint32_t> indices{};      ///< three a triangle
+    std::vector<material> materials{};         ///< that triangles are of
+    std::vector<std::uint32_t> material_ids{}; ///< of the first triangles, places in `materials`; the others
+                                               ///< are white and opaque
+
+    std::size_t triangles() const { return indices.size() / 3; }
+    /// What a triangle is of.
+    material material_of(std::size_t triangle) const {
+        return triangle < material_ids.size() ? materials[material_ids[triangle]] : material();
+    }
+};
+
+/// @throws scene_error where `scene` has no triangle, a position that is not finite or too far from 0, an
+/// index out of range, or a colour that is no colour;
 ///         `name` is what the message calls it
 void check_mesh(const mesh& scene, std::string_view name);
+
+/// Makes all triangles that have no material yet of this one.
+void paint(mesh& to, const material& with);
+
+/// Whether something is seen through one of the triangles.
+bool is_transparent(const mesh& scene);
+
+/// The scene with this opacity for each surface that was opaque.
+/// @param opacity  above 0, at most 1
+mesh with_opacity(mesh scene, float opacity);
 
 /// Adds a triangle of three of the positions that a mesh has; one without area is left out.
 /// @throws scene_error, without the name of a file, where the mesh becomes too large
@@ -106,5 +131,13 @@ mesh built_in_scene();
 
 /// The first is "overview".
 std::vector<camera> built_in_cameras();
+
+/// A room that shows what opacity does to ambient occlusion: a car of thin glass with an opaque interior, a
+/// solid block and a ball of glass, panes of several opacities, on an opaque floor before opaque walls.
+/// Metres, +Y up.
+mesh glass_scene();
+
+/// The first is "showroom".
+std::vector<camera> glass_cameras();
 
 }

@@ -57,6 +57,12 @@ std::string name_of(const mesh& scene, const camera& from, const truth_settings&
                               static_cast<double>(settings.rays),
                               static_cast<double>(settings.seed)};
     name.add(std::span<const double>(numbers));
+    if (is_transparent(scene)) {
+        std::vector<float> opacities{settings.hull ? 1.0f : 0.0f};
+        for (std::size_t i = 0; i < scene.triangles(); ++i)
+            opacities.push_back(scene.material_of(i).colour.a);
+        name.add(std::span<const float>(opacities));
+    }
     return name.text();
 }
 

@@ -5,15 +5,22 @@
 
 #include <embree3/rtcore.h>
 
-#include <limits>
 #include <memory>
-#include <optional>
+#include <vector>
 
 namespace crease::tools {
 
 /// The triangles of a mesh, ready to be hit by rays; all in its units. Safe to use from many threads.
 class ray_scene {
 public:
+    /// Where a ray meets a surface.
+    struct crossing {
+        float distance; ///< the t of origin + t * direction
+        float opacity;
+        std::uint32_t triangle;
+        float u, v; ///< barycentric coordinates in it
+    };
+
     struct surface {
         glm::vec3 position; ///< on the triangle, to the last bit or so
         glm::vec3 normal;   ///< unit, towards the origin of the ray
@@ -21,20 +28,29 @@ public:
     };
 
     explicit ray_scene(eye_mesh source);
+    ray_scene(const ray_scene&) = delete;
+    ray_scene& operator=(const ray_scene&) = delete;
 
-    /// What origin + t * direction meets first, with t in [nearest, farthest].
-    std::optional<surface> first_hit(const glm::vec3& origin, const glm::vec3& direction, float nearest,
-                                     float farthest) const;
+    /// Where origin + t * direction meets surfaces with t in [nearest, farthest], nearest first and up to the
+    /// first that is opaque.
+    /// @param found  filled anew, so that its memory lasts for many rays
+    void trace(const glm::vec3& origin, const glm::vec3& direction, float nearest, float farthest,
+               std::vector<crossing>& found) const;
 
-    /// The t at which origin + t * direction meets a triangle first, with t in [0, farthest]; infinite where
-    /// it meets none.
-    float distance(const glm::vec3& origin, const glm::vec3& direction, float farthest) const;
+    /// The surface that a ray of this direction meets there.
+    surface surface_at(const crossing& at, const glm::vec3& direction) const;
 
 private:
     struct release {
         void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
         void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
     };
+
+    bool are_one_surface(const crossing& a, const crossing& b, float most) const;
+    unsigned shared_corners(std::uint32_t a, std::uint32_t b) const;
+    const glm::vec3& corner(std::uint32_t triangle, unsigned i) const {
+        return source_.positions[source_.indices[3 * std::size_t{triangle} + i]];
+    }
 
     eye_mesh source_;
     std::unique_ptr<RTCDeviceTy, release> device_;

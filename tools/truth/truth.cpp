@@ -85,49 +85,90 @@ public:
                             camera_.orthographic ? world * glm::dvec3(through / unit_, 0) : glm::dvec3(0),
                         direction =
                             world * (camera_.orthographic ? glm::dvec3(0, 0, -1) : glm::dvec3(through, -1));
-        const auto hit = scene_.first_hit(origin, direction, depth_of(camera_.near), depth_of(camera_.far));
-        if (!hit)
+        std::vector<ray_scene::crossing> seen;
+        scene_.trace(origin, direction, depth_of(camera_.near), depth_of(camera_.far), seen);
+        if (seen.empty())
             return;
-        result_.depth.at(x, y) = static_cast<float>(-(view_ * glm::dvec3(hit->position)).z * unit_);
-        const glm::vec3 normal = glm::normalize(view_ * glm::dvec3(hit->normal));
+        const ray_scene::surface first = scene_.surface_at(seen.front(), direction);
+        result_.depth.at(x, y) = static_cast<float>(-(view_ * glm::dvec3(first.position)).z * unit_);
+        const glm::vec3 normal = glm::normalize(view_ * glm::dvec3(first.normal));
         for (unsigned c = 0; c < 3; ++c)
             result_.normal.at(x, y, c) = normal[static_cast<int>(c)];
         if (gathers && radius_ > 0)
-            gather(x, y, *hit);
+            receive(x, y, seen, direction);
     }
 
 private:
     /// A depth of the world in the units of the scene, as far as 32 bits hold it.
     float depth_of(float in_world) const { return static_cast<float>(std::min(in_world / unit_, 0x1p100)); }
 
-    void gather(unsigned x, unsigned y, const ray_scene::surface& at) const {
-        const lattice points(settings_.rays, x, y, settings_.seed);
-        const glm::mat3 frame = frame_around(at.normal);
-        const glm::vec3 origin = at.position + at.offset * at.normal;
-        double hard = 0, linear = 0, quad = 0, seen = 0;
-        glm::dvec3 open(0);
-        for (unsigned i = 0; i < settings_.rays; ++i) {
-            const glm::vec3 direction = frame * cosine_direction(points(i));
-            const float distance = scene_.distance(origin, direction, radius_);
-            const double d = distance / double{radius_};
-            open += glm::dvec3(direction) * std::min(d, 1.0);
-            if (d > 1)
-                continue;
-            hard += 1;
-            linear += 1 - d;
-            quad += 1 - d * d;
-            if (settings_.first_layer && is_seen(origin + distance * direction))
-                seen += 1 - d;
+    /// What is around a receiver, as sums over its rays.
+    struct gathered {
+        double hard = 0, linear = 0, quad = 0; ///< occlusion
+        double seen = 0;                       ///< linear, by what the camera sees
+        glm::dvec3 open{0};                    ///< directions, each weighed by its visibility
+
+        void add(double share, const gathered& other) {
+            hard += share * other.hard;
+            linear += share * other.linear;
+            quad += share * other.quad;
+            seen += share * other.seen;
+            open += share * other.open;
         }
-        if (open != glm::dvec3(0))
+    };
+
+    /// The receivers of a texel, merged.
+    void receive(unsigned x, unsigned y, const std::vector<ray_scene::crossing>& receivers,
+                 const glm::vec3& direction) const {
+        gathered all;
+        double through = 1;
+        std::uint32_t seed = settings_.seed;
+        for (const ray_scene::crossing& each : receivers) {
+            const ray_scene::surface at = scene_.surface_at(each, direction);
+            const lattice points(settings_.rays, x, y, seed);
+            const double share = through * double{each.opacity};
+            const bool is_hull = settings_.hull && each.opacity < 1;
+            all.add(share * (is_hull ? double{each.opacity} : 1), gather(points, at, at.normal));
+            if (is_hull)
+                all.add(share * (1 - double{each.opacity}), gather(points, at, -at.normal));
+            through *= 1 - double{each.opacity};
+            seed = mix(seed + 1);
+        }
+        if (all.open != glm::dvec3(0))
             for (unsigned c = 0; c < 3; ++c)
                 result_.bent.at(x, y, c) =
-                    static_cast<float>((view_ * glm::normalize(open))[static_cast<int>(c)]);
+                    static_cast<float>((view_ * glm::normalize(all.open))[static_cast<int>(c)]);
         if (settings_.first_layer)
-            result_.ao_first_layer.at(x, y) = static_cast<float>(1 - seen / settings_.rays);
-        result_.ao_hard.at(x, y) = static_cast<float>(1 - hard / settings_.rays);
-        result_.ao_linear.at(x, y) = static_cast<float>(1 - linear / settings_.rays);
-        result_.ao_quad.at(x, y) = static_cast<float>(1 - quad / settings_.rays);
+            result_.ao_first_layer.at(x, y) = static_cast<float>(1 - all.seen / settings_.rays);
+        result_.ao_hard.at(x, y) = static_cast<float>(1 - all.hard / settings_.rays);
+        result_.ao_linear.at(x, y) = static_cast<float>(1 - all.linear / settings_.rays);
+        result_.ao_quad.at(x, y) = static_cast<float>(1 - all.quad / settings_.rays);
+    }
+
+    gathered gather(const lattice& points, const ray_scene::surface& at, const glm::vec3& normal) const {
+        const glm::mat3 frame = frame_around(normal);
+        const glm::vec3 origin = at.position + at.offset * normal;
+        gathered sum;
+        std::vector<ray_scene::crossing> met;
+        for (unsigned i = 0; i < settings_.rays; ++i) {
+            const glm::vec3 direction = frame * cosine_direction(points(i));
+            scene_.trace(origin, direction, 0, radius_, met);
+            double through = 1, visible = 0;
+            for (const ray_scene::crossing& each : met) {
+                const double d = each.distance / double{radius_}, share = through * double{each.opacity};
+                if (d > 1)
+                    break;
+                sum.hard += share;
+                sum.linear += share * (1 - d);
+                sum.quad += share * (1 - d * d);
+                if (settings_.first_layer && is_seen(origin + each.distance * direction))
+                    sum.seen += share * (1 - d);
+                visible += share * d;
+                through *= 1 - double{each.opacity};
+            }
+            sum.open += glm::dvec3(direction) * (visible + through);
+        }
+        return sum;
     }
 
     /// Whether no surface hides a point from the camera; what lies outside the picture counts as seen.

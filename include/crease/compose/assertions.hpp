@@ -103,6 +103,16 @@ constexpr bool assert_every_need() {
     return (assert_needs<Parts, Parts...>() && ...);
 }
 
+/// What a dialect cannot: of all parts, those that are there by default among them.
+template <class... Parts>
+constexpr bool assert_glsl_es() {
+    constexpr std::string_view said = check(choices_of<Parts...>).sentence;
+    return assert_es_versions<said != es_versions, Parts...>() &&
+           assert_es_fragments<said != es_fragments, Parts...>() &&
+           assert_es_loads<said != es_loads, Parts...>() && assert_es_layers<said != es_layers, Parts...>() &&
+           assert_es_in_place<said != es_in_place, Parts...>();
+}
+
 /// Asserts every rule on the parts of an effect, each with the types that it is about.
 template <class Sampler, class DepthSource, class Estimator, class... Rest>
 constexpr void assert_each_rule() {
@@ -115,7 +125,8 @@ constexpr void assert_each_rule() {
                           (assert_asked_for<is_requested<Rest, Sampler, DepthSource, Estimator, Rest...>,
                                             Rest, DepthSource>() &&
                            ...) &&
-                          assert_every_need<Sampler, DepthSource, Estimator, Rest...>());
+                          assert_every_need<Sampler, DepthSource, Estimator, Rest...>() &&
+                          assert_glsl_es<Sampler, DepthSource, Estimator, Rest...>());
 }
 
 /// Parts that are too few fail by the place that is empty.

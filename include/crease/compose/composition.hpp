@@ -41,7 +41,7 @@ public:
             for (std::size_t b = 0; b < own.written.bindings.size(); ++b)
                 own.written.bindings[b].resource = map.index[own.written.bindings[b].resource];
             pass whole = describe(planned, planned.passes[i]);
-            whole.pieces = {own.pieces, own.piece_count};
+            whole.pieces = {own.pieces, piece_count(own.written)};
             whole.bindings = own.written.bindings;
             whole.constants = own.written.constants;
             passes_.add(whole);
@@ -77,8 +77,7 @@ private:
     struct storage {
         program written;
         char head[interface_text::most_characters];
-        piece pieces[1 + 192];
-        std::size_t piece_count = 0;
+        piece pieces[1 + 192 + 2];
     };
 
     void write(const plan& planned, const planned_pass& each) {
@@ -90,9 +89,7 @@ private:
         own.written = write_program(planned, each, {tables, files.size()}, files.cut);
         own.written.cut = own.written.cut || tables_.cut;
         own.written.head.write(own.head);
-        own.pieces[own.piece_count++] = {"interface", {own.head, own.written.head.size()}};
-        for (const linker::linked& each_definition : own.written.definitions)
-            own.pieces[own.piece_count++] = piece_of(each_definition);
+        list_pieces(own.written, own.head, own.pieces);
     }
 
     /// The symbols of a file, read once for all passes.

@@ -35,6 +35,16 @@ inline constexpr glsl_file combine_glsl{
 #include <crease/core/combine.glsl>
 };
 
+inline constexpr glsl_file fade_glsl{
+    "core/fade.glsl",
+#include <crease/core/fade.glsl>
+};
+
+inline constexpr glsl_file blend_glsl{
+    "core/blend.glsl",
+#include <crease/core/blend.glsl>
+};
+
 inline constexpr glsl_file skip_behind_glsl{
     "core/skip_behind.glsl",
 #include <crease/core/skip_behind.glsl>
@@ -58,6 +68,11 @@ inline constexpr glsl_file gather_glsl{
 inline constexpr glsl_file result_glsl{
     "core/result.glsl",
 #include <crease/core/result.glsl>
+};
+
+inline constexpr glsl_file bits_glsl{
+    "core/bits.glsl",
+#include <crease/core/bits.glsl>
 };
 
 inline constexpr glsl_file no_normal_glsl{
@@ -92,8 +107,8 @@ inline constexpr glsl_file build_columns_glsl{
 
 /// What every program may call: each is a default, in whose place a part may define its own.
 inline constexpr const glsl_file* core_files[] = {
-    &view_glsl,    &texels_glsl,      &receiver_glsl,     &layer_glsl,    &fetch_glsl,
-    &combine_glsl, &skip_behind_glsl, &slice_weight_glsl, &gathered_glsl, &gather_glsl,
-    &result_glsl,  &no_normal_glsl,   &strength_glsl,     &pixel_glsl};
+    &view_glsl,   &texels_glsl,    &receiver_glsl,    &layer_glsl,        &fetch_glsl,    &combine_glsl,
+    &fade_glsl,   &blend_glsl,     &skip_behind_glsl, &slice_weight_glsl, &gathered_glsl, &gather_glsl,
+    &result_glsl, &no_normal_glsl, &strength_glsl,    &pixel_glsl,        &bits_glsl};
 
 }

@@ -3,6 +3,7 @@
 
 #include <crease/compose/program.hpp>
 #include <crease/effect/effect_view.hpp>
+#include <crease/parts/depth/layers.hpp>
 
 namespace crease {
 
@@ -13,13 +14,29 @@ inline constexpr piece fullscreen_opengl[] = {
     {"interface", "#version 430\n#define CREASE_VERTEX_INDEX gl_VertexID\n"},
     {fullscreen_glsl.name, fullscreen_glsl.text, fullscreen_glsl.first_line}};
 
+inline constexpr piece fullscreen_glsl_es_300[] = {
+    {"interface", "#version 300 es\n#define CREASE_VERTEX_INDEX gl_VertexID\n"},
+    {fullscreen_glsl.name, fullscreen_glsl.text, fullscreen_glsl.first_line}};
+inline constexpr piece fullscreen_glsl_es_310[] = {
+    {"interface", "#version 310 es\n#define CREASE_VERTEX_INDEX gl_VertexID\n"},
+    {fullscreen_glsl.name, fullscreen_glsl.text, fullscreen_glsl.first_line}};
+
+/// The vertex shader of the fragment passes of a plan.
+constexpr array_view<const piece> fullscreen_of(const plan& p) {
+    if (p.is_glsl_es_300())
+        return fullscreen_glsl_es_300;
+    const dialect_kind dialect = p.dialect();
+    return dialect == dialect_kind::glsl_es  ? array_view<const piece>(fullscreen_glsl_es_310)
+           : dialect == dialect_kind::opengl ? array_view<const piece>(fullscreen_opengl)
+                                             : array_view<const piece>(fullscreen_vulkan);
+}
+
 /// The pass without its lists.
 constexpr pass describe(const plan& p, const planned_pass& planned) {
-    const dialect_kind dialect = p.is_vulkan() ? dialect_kind::vulkan : dialect_kind::opengl;
     const bool further = planned.view > 0 && planned.stage == stage_kind::geometry;
     pass described{.name = further ? p.resources[planned.outputs[0]].name : planned.what->name,
                    .stage = planned.stage,
-                   .dialect = dialect,
+                   .dialect = p.dialect(),
                    .pieces = {},
                    .vertex_pieces = {},
                    .bindings = {},
@@ -28,9 +45,11 @@ constexpr pass describe(const plan& p, const planned_pass& planned) {
                    .covers = planned.what->kind == step_kind::rows      ? dispatch::rows
                              : planned.what->kind == step_kind::columns ? dispatch::columns
                                                                         : dispatch::texels,
-                   .view = planned.view};
+                   .view = planned.view,
+                   .takes_surfaces =
+                       planned.stage == stage_kind::geometry && p.needs(&layers_with_opacity::value)};
     if (planned.stage == stage_kind::fragment)
-        described.vertex_pieces = dialect == dialect_kind::vulkan ? fullscreen_vulkan : fullscreen_opengl;
+        described.vertex_pieces = fullscreen_of(p);
     return described;
 }
 
@@ -41,6 +60,31 @@ constexpr piece piece_of(const linker::linked& what) {
     return {file.name,
             {file.text.data() + own.begin, static_cast<std::size_t>(own.end - own.begin)},
             file.first_line + own.line};
+}
+
+/// How many pieces a program has: one for its interface and each definition, and two more around what the
+/// last begins with.
+constexpr std::size_t piece_count(const program& written) {
+    return 1 + written.definitions.size() + (written.sets_view ? 2 : 0);
+}
+
+/// Lists the pieces of a program.
+/// @param head  the characters of its interface
+/// @param to    of `piece_count` pieces
+constexpr void list_pieces(const program& written, const char* head, piece* to) {
+    *to++ = {"interface", {head, written.head.size()}};
+    for (const linker::linked& each : written.definitions)
+        *to++ = piece_of(each);
+    if (!written.sets_view)
+        return;
+    const piece last = to[-1];
+    const std::size_t body = last.text.find("{\n") + 2;
+    unsigned line = last.first_line;
+    for (const char c : last.text.substr(0, body))
+        line += c == '\n' ? 1 : 0;
+    to[-1].text = last.text.substr(0, body);
+    to[0] = {"interface", "    crease_view = crease_view_of(crease_view_index);\n"};
+    to[1] = {last.name, last.text.substr(body), line};
 }
 
 /// Which resources of a plan an effect has: the block of parameters, what its passes touch, and the outputs.

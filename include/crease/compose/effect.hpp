@@ -69,16 +69,11 @@ template <class Effect, std::size_t Pass>
 inline constexpr auto head = unpack<(written<Effect, Pass>.head.size() + 7) / 8>(written<Effect, Pass>.head);
 
 template <class Effect, std::size_t Pass>
-constexpr auto list_pieces() {
-    constexpr const program& own = written<Effect, Pass>;
-    std::array<piece, 1 + own.definitions.size()> all{};
-    all[0] = {"interface", {head<Effect, Pass>.characters, own.head.size()}};
-    for (std::size_t i = 1; i < all.size(); ++i)
-        all[i] = piece_of(own.definitions.items[i - 1]);
+inline constexpr auto pieces = [] {
+    std::array<piece, piece_count(written<Effect, Pass>)> all{};
+    list_pieces(written<Effect, Pass>, head<Effect, Pass>.characters, all.data());
     return all;
-}
-template <class Effect, std::size_t Pass>
-inline constexpr auto pieces = list_pieces<Effect, Pass>();
+}();
 
 /// Asserts that the passes fit each other, each rule with the effect that it is about.
 template <class Effect, class Whole>

@@ -47,6 +47,13 @@ public:
         order_.add({from, index_[at]});
     }
 
+    /// Takes in what the definition that was taken in last comes to call.
+    constexpr void use_in_last(symbol name) {
+        const linked last = order_[--order_.count];
+        use(name);
+        order_.add(last);
+    }
+
     constexpr bool is_used(symbol name) const {
         for (std::size_t i = name % capacity; names_[i] != 0; i = (i + 1) % capacity)
             if (names_[i] == name)

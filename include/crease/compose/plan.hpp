@@ -11,7 +11,7 @@
 namespace crease {
 
 /// The most passes and resources that an effect may have, and the most outputs of a pass.
-inline constexpr std::size_t most_passes = 32, most_resources = 48, most_outputs = 4;
+inline constexpr std::size_t most_passes = 32, most_resources = 48, most_outputs = 8;
 
 /// A pass before its text: which step of which part, and between which resources.
 struct planned_pass {
@@ -47,8 +47,19 @@ struct plan {
     }
     /// The part of a role that every effect has.
     constexpr const choice& chosen(role r) const { return *find(r); }
-    constexpr bool is_vulkan() const {
-        return !has(chosen(role::dialect).what->offers, &opengl_words::value);
+    constexpr dialect_kind dialect() const { return dialect_of(*chosen(role::dialect).what); }
+    constexpr bool is_vulkan() const { return dialect() == dialect_kind::vulkan; }
+    /// Whether it is GLSL ES 3.00, which has fragment shaders alone.
+    constexpr bool is_glsl_es_300() const {
+        return dialect() == dialect_kind::glsl_es && chosen(role::dialect).number_of("version") == 300;
+    }
+
+    /// Whether any part needs a trait of another.
+    constexpr bool needs(const trait* wanted) const {
+        for (const choice& c : parts)
+            if (has(c.what->needs, wanted))
+                return true;
+        return false;
     }
 
     /// The resource that a camera's pass finds under a name; -1 where there is none.
@@ -191,9 +202,23 @@ constexpr void add_chain(plan& p) {
         }
 }
 
+/// Gives images that compute passes fill formats that every device can store, where the dialect has no other.
+constexpr void widen_stored(plan& p) {
+    if (p.dialect() != dialect_kind::glsl_es && p.dialect() != dialect_kind::webgpu)
+        return;
+    for (const planned_pass& pass : p.passes)
+        for (unsigned output : pass.outputs)
+            if (pass.stage == stage_kind::compute)
+                p.resources[output].texels = facts_of(p.resources[output].texels).stored_by_all;
+}
+
 /// Gives each pass of the chain from `first` on what it writes: the last the images that leave the effect.
 constexpr void connect_chain(plan& p, std::size_t first) {
     const choice& output = p.chosen(role::output);
+    if (p.passes.size() - first > std::size(between)) {
+        p.refused = {rules::few_passes, p.chosen(role::estimator).what->name};
+        return;
+    }
     for (std::size_t i = first; i < p.passes.size(); ++i) {
         planned_pass& pass = p.passes[i];
         pass.last = i + 1 == p.passes.size();
@@ -245,9 +270,10 @@ constexpr plan make_plan(array_view<const choice> choices) {
     planning::connect_chain(p, first);
     for (const choice& c : p.parts)
         planning::add_steps(p, c, true, view_divisor);
+    planning::widen_stored(p);
     if (p.resources.cut || p.settings.cut || p.views > 1 + most_further_views)
         p.refused = {rules::few_resources, choices[2].what->name};
-    if (p.passes.cut || p.passes.size() - first > std::size(planning::between))
+    if (p.passes.cut)
         p.refused = {rules::few_passes, choices[2].what->name};
     return p;
 }

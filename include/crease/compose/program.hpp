@@ -5,6 +5,7 @@
 #include <crease/compose/linker.hpp>
 #include <crease/compose/plan.hpp>
 #include <crease/effect/version.hpp>
+#include <crease/parts/dialect/glsl_es.hpp>
 #include <crease/parts/reads/image_load.hpp>
 #include <crease/parts/stage/fragment.hpp>
 
@@ -20,14 +21,21 @@ struct program {
     fixed_list<linker::linked, 192> definitions;
     binding_list bindings;
     constant_list constants;
-    bool cut = false; ///< whether any of it did not fit
+    bool sets_view = false; ///< whether the last definition begins by setting `crease_view`
+    bool cut = false;       ///< whether any of it did not fit
 };
 
 /// The GLSL files in which a pass finds what it calls, the first before the others.
 constexpr file_list files_of(const plan& p, const planned_pass& pass) {
     file_list files;
-    for (const glsl_file* file : pass.what->files)
-        files.add(file);
+    const auto add = [&](const files_where& widened, array_view<const glsl_file* const> own) {
+        if (widened.needed && p.needs(widened.needed))
+            for (const glsl_file* file : widened.files)
+                files.add(file);
+        for (const glsl_file* file : own)
+            files.add(file);
+    };
+    add(pass.what->widened, pass.what->files);
     switch (pass.what->kind) {
     case step_kind::texels:
         files.add(&build_glsl);
@@ -41,10 +49,11 @@ constexpr file_list files_of(const plan& p, const planned_pass& pass) {
     default:
         break;
     }
+    if (p.is_glsl_es_300())
+        files.add(&glsl_es_300_glsl);
     for (const choice& c : p.parts)
         if (c.what->kind != role::stage || pass.what->kind == step_kind::result)
-            for (const glsl_file* file : c.what->files)
-                files.add(file);
+            add(c.what->widened, c.what->files);
     for (const glsl_file* file : core_files)
         files.add(file);
     return files;
@@ -55,6 +64,8 @@ class program_writer {
 public:
     constexpr program_writer(const plan& of, const planned_pass& pass, linker& found)
         : plan_(of), pass_(pass), found_(found), is_vulkan_(of.is_vulkan()),
+          is_es_(of.dialect() == dialect_kind::glsl_es), is_webgpu_(of.dialect() == dialect_kind::webgpu),
+          has_sets_(is_vulkan_ || is_webgpu_), has_bindings_(!of.is_glsl_es_300()),
           is_result_(pass.what->kind == step_kind::result),
           has_main_(pass.stage == stage_kind::compute || pass.stage == stage_kind::fragment) {
         const choice* placed = pass.stage == stage_kind::functions  ? of.find(role::stage)
@@ -72,12 +83,19 @@ public:
 
     constexpr program write() {
         use_roots();
+        if (is_es_ && uses("view")) {
+            found_.use_in_last(symbol_of("view_index", crease_prefix));
+            found_.use_in_last(symbol_of("view_of", crease_prefix));
+            out_.sets_view = true;
+        }
         collect_bindings();
         collect_constants();
         write_head();
         write_constants();
         for (const binding& b : out_.bindings)
             write_declaration(b);
+        if (is_webgpu_)
+            write_nearest();
         write_block();
         write_accessors();
         write_results();
@@ -179,13 +197,16 @@ private:
         }
         for (std::size_t i = 0; i < pass_.outputs.size(); ++i) {
             const unsigned at = pass_.outputs[i];
-            if (!is_result_)
-                bind_level(pass_.what->writes[i], at, pass_.what->how, pass_.size.level);
-            else
+            if (!is_result_) {
+                const std::string_view name = pass_.what->writes[i];
+                if (pass_.what->how == access::attachment || uses(name) || uses("load_", name))
+                    bind_level(name, at, pass_.what->how, pass_.size.level);
+            } else {
                 bind(i == 0 ? std::string_view("output") : plan_.resources[at].name, at,
                      pass_.stage == stage_kind::compute    ? access::store
                      : pass_.stage == stage_kind::fragment ? access::attachment
                                                            : access::result);
+            }
         }
         number_bindings();
     }
@@ -197,10 +218,10 @@ private:
             unsigned before = 0;
             const bool described = has_descriptor(list[i].how);
             for (std::size_t j = 0; j < i; ++j)
-                before += described ? has_descriptor(list[j].how) && (is_vulkan_ || is_like(list[j], list[i]))
+                before += described ? has_descriptor(list[j].how) && (has_sets_ || is_like(list[j], list[i]))
                                     : list[j].how == list[i].how;
             list[i].slot = before + (described ? first_binding_ : 0);
-            list[i].set = described && is_vulkan_ ? set_ : 0;
+            list[i].set = described && has_sets_ ? set_ : 0;
         }
     }
     constexpr bool is_buffer(const binding& b) const {
@@ -234,18 +255,32 @@ private:
                 out_.constants.add({c.what->name, c.what->numbers[i].name, next_id_++, c.numbers[i]});
     }
 
+    constexpr const char* version_line() const {
+        return has_sets_       ? "#version 450\n"
+               : !is_es_       ? "#version 430\n"
+               : has_bindings_ ? "#version 310 es\n"
+                               : "#version 300 es\n";
+    }
+
     constexpr void write_head() {
         interface_text& text = out_.head;
+        // Nothing may stand before the version in GLSL ES.
+        if (has_main_ && is_es_)
+            text << version_line();
         text << "// " << plan_.recipe.view() << ", pass " << pass_.what->name << "; crease " << version
              << ", SPDX-License-Identifier: MIT-0\n";
-        if (has_main_)
-            text << (is_vulkan_ ? "#version 450\n" : "#version 430\n");
+        if (has_main_ && !is_es_)
+            text << version_line();
         if (has_main_ && is_vulkan_ && uses("unroll"))
             text << "#extension GL_EXT_control_flow_attributes : enable\n";
+        if (has_main_ && is_webgpu_)
+            text << "#extension GL_EXT_samplerless_texture_functions : require\n";
         for (const choice& c : plan_.parts)
             if (has_main_ && !c.what->extension.empty() && is_linked(c))
                 text << "#extension " << c.what->extension << " : require\n";
-        // A host that takes functions writes its own #version and #extension.
+        if (has_main_ && is_es_)
+            text << "precision highp float;\nprecision highp int;\n";
+        // A host that takes functions writes its own #version, #extension and precision.
         if (uses("unroll"))
             text << "#define crease_unroll" << (has_main_ && is_vulkan_ ? " [[unroll]]\n" : "\n");
         if (pass_.stage != stage_kind::compute)
@@ -289,10 +324,19 @@ private:
                       << "int crease_view_index = " << pass_.view << ";\n";
     }
 
-    constexpr void write_place(const binding& b) {
-        if (is_vulkan_)
-            out_.head << "set = " << b.set << ", ";
-        out_.head << "binding = " << b.slot;
+    /// Begins a declaration with its layout.
+    /// @param first  what stands in it beside the place
+    constexpr void write_layout(std::string_view first, const binding& b) {
+        if (first.empty() && !has_bindings_)
+            return;
+        out_.head << "layout(" << first;
+        if (has_bindings_) {
+            out_.head << (first.empty() ? "" : ", ");
+            if (has_sets_)
+                out_.head << "set = " << b.set << ", ";
+            out_.head << "binding = " << b.slot;
+        }
+        out_.head << ") ";
     }
 
     static constexpr const char* prefix_of(const resource& r) {
@@ -301,29 +345,38 @@ private:
 
     constexpr void write_declaration(const binding& b) {
         const resource& r = plan_.resources[b.resource];
+        const char* precision = is_es_ ? "highp " : ""; // else that of samplers is low, and images have none
         const char* prefix = prefix_of(r);
         const char* shape = r.samples > 1 ? "2DMS" : r.arrayed ? "2DArray" : "2D";
         interface_text& text = out_.head;
         if (r.kind == resource_kind::buffer) {
-            text << "layout(std430, ";
-            write_place(b);
-            text << (b.how == access::load ? ") readonly buffer crease_" : ") buffer crease_") << b.name
+            write_layout("std430", b);
+            text << (b.how == access::load ? "readonly buffer crease_" : "buffer crease_") << b.name
                  << "_buffer { " << r.element << " crease_" << b.name << "[]; };\n";
         } else if (b.how == access::sample) {
-            text << "layout(";
-            write_place(b);
-            text << ") uniform " << prefix << "sampler" << shape << " crease_" << b.name << ";\n";
+            write_layout("", b);
+            text << "uniform " << precision << prefix << (is_webgpu_ ? "texture" : "sampler") << shape
+                 << " crease_" << b.name << ";\n";
         } else if (is_storage(b.how)) {
-            text << "layout(" << facts_of(r.texels).glsl << ", ";
-            write_place(b);
-            text << ") uniform "
+            write_layout(facts_of(r.texels).glsl, b);
+            text << "uniform "
                  << (b.how == access::store  ? "writeonly "
                      : b.how == access::load ? "readonly "
                                              : "")
-                 << prefix << "image" << shape << " crease_" << b.name << ";\n";
+                 << precision << prefix << "image" << shape << " crease_" << b.name << ";\n";
         } else if (b.how == access::attachment && has_main_) {
             text << "layout(location = " << b.slot << ") out " << prefix << "vec4 crease_" << b.name << ";\n";
         }
+    }
+
+    /// The nearest texel, clamped to the edge, of an image that has no sampler.
+    constexpr void write_nearest() {
+        for (const binding& b : out_.bindings)
+            if (b.how == access::sample && plan_.resources[b.resource].life == lifetime::input) {
+                out_.head << "#define textureLod(image, at, level) texelFetch(image, clamp(ivec2((at) * "
+                             "vec2(textureSize(image, 0))), ivec2(0), textureSize(image, 0) - 1), 0)\n";
+                return;
+            }
     }
 
     constexpr void write_block() {
@@ -331,36 +384,31 @@ private:
             return;
         interface_text& text = out_.head;
         text << "\nstruct crease_view_parameters {\n    vec4 from_texel;\n    vec2 depth_unpack;\n"
-                "    float far_depth;\n    float guard;\n    vec2 resolution;\n    vec2 texel_size;\n};\n\n"
-                "layout(std140, ";
-        write_place(out_.bindings[0]);
-        text << ") uniform crease_parameters {\n    crease_view_parameters views[" << plan_.views << "];\n";
+                "    float far_depth;\n    float guard;\n    vec2 resolution;\n    vec2 texel_size;\n};\n\n";
+        write_layout("std140", out_.bindings[0]);
+        text << "uniform crease_parameters {\n    crease_view_parameters views[" << plan_.views << "];\n";
         if (plan_.views > 1)
             text << "    mat4 from_first[" << plan_.views - 1 << "];\n";
         text << "    float radius;\n    uint frame;\n";
         for (const effect_setting& s : plan_.settings) {
-            text << "    float ";
-            write_setting(s);
-            text << ";\n";
+            text << "    float " << (s.shared ? std::string_view() : s.part) << (s.shared ? "" : "_")
+                 << s.name << ";\n";
         }
         text << "} crease_given;\n\n";
         if (uses("radius"))
-            text << "float crease_radius = crease_given.radius;\n";
+            write_given("float", "", "radius");
         if (uses("frame"))
-            text << "uint crease_frame = crease_given.frame;\n";
+            write_given("uint", "", "frame");
         for (const effect_setting& s : plan_.settings)
-            if (uses_setting(s)) {
-                text << "float crease_";
-                write_setting(s);
-                text << " = crease_given.";
-                write_setting(s);
-                text << ";\n";
-            }
+            if (uses_setting(s))
+                write_given("float", s.shared ? std::string_view() : s.part, s.name);
     }
-    constexpr void write_setting(const effect_setting& s) {
-        if (!s.shared)
-            out_.head << s.part << "_";
-        out_.head << s.name;
+    /// Gives a member of the block a name of its own; no global of GLSL ES begins with what is uniform.
+    constexpr void write_given(std::string_view type, std::string_view part, std::string_view name) {
+        const std::string_view between = part.empty() ? "" : "_";
+        out_.head << (is_es_ ? std::string_view("#define") : type) << " crease_" << part << between << name
+                  << (is_es_ ? " crease_given." : " = crease_given.") << part << between << name
+                  << (is_es_ ? "\n" : ";\n");
     }
 
     // How a program reads what a pass writes: the one place that knows of image loads and texel fetches.
@@ -386,16 +434,27 @@ private:
                      << (is_image     ? ").xy; }\n"
                          : has_levels ? ", level).xy; }\n"
                                       : ", 0).xy; }\n");
-            if (uses("levels_of_", b.name))
+            if (uses("levels_of_", b.name) && is_es_) // which does not tell
+                text << "\nint crease_levels_of_" << b.name << "() {\n    ivec2 size = textureSize(crease_"
+                     << b.name << ", 0);\n    return min(" << r.levels
+                     << ", 1 + findMSB(max(size.x, size.y)));\n}\n";
+            else if (uses("levels_of_", b.name))
                 text << "\nint crease_levels_of_" << b.name << "() { return textureQueryLevels(crease_"
                      << b.name << "); }\n";
         }
     }
 
+    constexpr std::string_view first_written_image() const {
+        for (const binding& b : out_.bindings)
+            if (writes(b.how) && !is_buffer(b))
+                return b.name;
+        return pass_.what->writes[0];
+    }
+
     constexpr void write_results() {
         interface_text& text = out_.head;
         if (uses("build_size"))
-            text << "#define crease_build_size imageSize(crease_" << pass_.what->writes[0] << ").xy\n";
+            text << "#define crease_build_size imageSize(crease_" << first_written_image() << ").xy\n";
         if (!uses("write"))
             return;
         text << "\n#define crease_write(pixel, result)";
@@ -414,7 +473,7 @@ private:
     const plan& plan_;
     const planned_pass& pass_;
     linker& found_;
-    bool is_vulkan_, is_result_, has_main_;
+    bool is_vulkan_, is_es_, is_webgpu_, has_sets_, has_bindings_, is_result_, has_main_;
     unsigned set_ = 0, first_binding_ = 0, next_id_ = 0;
     program out_;
 };

@@ -18,12 +18,17 @@ namespace crease {
     rule(in_range, "a number of a part is out of its range")                                                           \
     rule(asked_for, "a part is of use only beside a part that requires its role, and none does")                       \
     rule(full_size_input, "a filter takes a picture of full size, and the one before it makes a smaller one")          \
+    rule(es_versions, "the versions of GLSL ES are 300 and 310")                                                       \
+    rule(es_fragments, "GLSL ES 3.00 has fragment shaders alone, and a part needs others")                             \
+    rule(es_loads, "GLSL ES 3.00 has no storage images, which a part loads")                                           \
+    rule(es_layers, "GLSL ES and WebGPU have no way to capture layers, which a part needs")                            \
+    rule(es_in_place, "GLSL ES and WebGPU change no image of several numbers in place, as a part does")                \
     rule(few_enough, "an effect has 16 parts at the most")                                                             \
     rule(resource_once, "two parts describe a resource of the same name")                                              \
     rule(known_resource, "a step fills a resource that no part of the effect describes")                               \
     rule(written_first, "a pass reads a resource that no pass before it fills")                                        \
     rule(few_resources, "an effect has 48 resources, 24 settings and 4 views at the most")                             \
-    rule(few_passes, "an effect has 32 passes at the most, each with 4 outputs, 16 bindings and 32 constants")         \
+    rule(few_passes, "an effect has 32 passes at the most, each with 8 outputs, 16 bindings and 32 constants")         \
     rule(short_programs, "a program has 500 names, 190 functions and 6000 characters of interface at the most")
 // clang-format on
 

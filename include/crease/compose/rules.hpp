@@ -6,6 +6,8 @@
 #include <crease/effect/array_view.hpp>
 #include <crease/effect/fixed_list.hpp>
 #include <crease/parts/defaults.hpp>
+#include <crease/parts/reads/image_load.hpp>
+#include <crease/parts/stage/stages.hpp>
 
 #include <cstddef>
 #include <string_view>
@@ -79,6 +81,66 @@ constexpr const trait* unmet(const part& p, array_view<const choice> choices) {
     return nullptr;
 }
 
+/// Whether a part offers what the others need of its role.
+constexpr bool suits(const part& p, array_view<const choice> choices) {
+    for (const choice& other : choices)
+        for (const trait* needed : other.what->needs)
+            if (needed->from == p.kind && !has(p.offers, needed))
+                return false;
+    return true;
+}
+
+}
+
+/// Adds the default part of each role that only has to be named where it differs: the first that fits.
+constexpr choice_list complete(array_view<const choice> choices) {
+    choice_list all;
+    bool has_role[role_count]{};
+    for (const choice& c : choices) {
+        all.add(c);
+        has_role[static_cast<unsigned>(c.what->kind)] = true;
+    }
+    for (const choice& fallback : default_choices) {
+        bool& is_there = has_role[static_cast<unsigned>(fallback.what->kind)];
+        if (is_there || (rules::is_on_request(fallback.what->kind) &&
+                         !rules::requires_role(choices, fallback.what->kind)))
+            continue;
+        if (rules::unmet(*fallback.what, choices) || !rules::suits(*fallback.what, choices))
+            continue;
+        all.add(fallback);
+        is_there = true;
+    }
+    return all;
+}
+
+namespace rules {
+
+/// Why GLSL ES or WebGPU cannot what the parts do.
+/// @param all  with the parts of all roles
+constexpr refusal check_dialect(const choice_list& all, const choice& dialect) {
+    const bool is_es = dialect_of(*dialect.what) == dialect_kind::glsl_es;
+    const int version = dialect.number_of("version");
+    if (is_es && version != 300 && version != 310)
+        return {es_versions, dialect.what->name};
+    for (const choice& c : all) {
+        if (version == 300 && c.what->kind == role::stage && stage_of(*c.what) == stage_kind::compute)
+            return {es_fragments, c.what->name, dialect.what->name};
+        if (version == 300 && has(c.what->offers, &image_loads::value))
+            return {es_loads, c.what->name, dialect.what->name};
+        for (const step& s : c.what->steps) {
+            if (s.kind == step_kind::result || c.numbers[0] < s.from)
+                continue;
+            if (s.kind == step_kind::geometry)
+                return {es_layers, c.what->name, dialect.what->name};
+            if (version == 300)
+                return {es_fragments, c.what->name, dialect.what->name};
+            if (s.how == access::modify)
+                return {es_in_place, c.what->name, dialect.what->name};
+        }
+    }
+    return {};
+}
+
 }
 
 /// Checks parts chosen at run time by the same rules as `effect` does at compile time.
@@ -109,6 +171,13 @@ constexpr refusal check(array_view<const choice> choices) {
         if (rules::takes_full_size(choices[i]) && !rules::input_is_full_size(choices, i))
             return {rules::full_size_input, p.name};
     }
+    for (const choice& c : choices) {
+        if (c.what->kind != role::dialect)
+            continue;
+        const dialect_kind kind = dialect_of(*c.what);
+        if (kind == dialect_kind::glsl_es || kind == dialect_kind::webgpu)
+            return rules::check_dialect(complete(choices), c);
+    }
     return {};
 }
 
@@ -121,27 +190,6 @@ constexpr fixed_text<512> recipe_text(array_view<const choice> choices) {
             out << (i == 0 ? ":" : "x") << c.numbers[i];
     }
     return out;
-}
-
-/// Adds the default part of each role that only has to be named where it differs: the first that fits.
-constexpr choice_list complete(array_view<const choice> choices) {
-    choice_list all;
-    bool has_role[role_count]{};
-    for (const choice& c : choices) {
-        all.add(c);
-        has_role[static_cast<unsigned>(c.what->kind)] = true;
-    }
-    for (const choice& fallback : default_choices) {
-        bool& is_there = has_role[static_cast<unsigned>(fallback.what->kind)];
-        if (is_there || (rules::is_on_request(fallback.what->kind) &&
-                         !rules::requires_role(choices, fallback.what->kind)))
-            continue;
-        if (rules::unmet(*fallback.what, choices))
-            continue;
-        all.add(fallback);
-        is_there = true;
-    }
-    return all;
 }
 
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <crease/compose/glsl_file.hpp>
+#include <crease/compose/trait.hpp>
 #include <crease/effect/access.hpp>
 #include <crease/effect/array_view.hpp>
 
@@ -21,6 +22,13 @@ enum class step_kind : unsigned char {
     geometry ///< `void crease_capture(vec3 anchor)`, for fragments of the host's geometry
 };
 
+/// GLSL that stands before other files where a part of the effect needs a trait: what offers the trait does
+/// more there, and elsewhere its programs stay as they are.
+struct files_where {
+    const trait* needed = nullptr;              ///< null: nowhere
+    array_view<const glsl_file* const> files{}; ///< searched first
+};
+
 /// A `const int` of one step; in GLSL crease_<part>_<name>.
 struct step_constant {
     std::string_view name; ///< without the part's
@@ -33,11 +41,13 @@ struct step_constant {
 struct step {
     std::string_view name;                       ///< of the pass
     array_view<const glsl_file* const> files{};  ///< its own GLSL, which stands before that of the parts
+    files_where widened{};                       ///< before these, where more is needed of the step
     step_kind kind = step_kind::result;          ///< what its GLSL defines, and what runs it
     bool after = false;                          ///< whether it runs after the last filter
     array_view<const step_constant> constants{}; ///< of its program alone
     array_view<const std::string_view>
-        writes{};                ///< resources of the effect's parts that it fills, of one size
+        writes{};                ///< resources of the effect's parts that it fills, of one size; those that
+                                 ///< its program does not name it has nothing to do with
     access how = access::store;  ///< how it fills them
     int group_width = 16;        ///< width of the workgroup, invocations, where `kind` is not `result`
     int group_height = 16;       ///< height, likewise

@@ -20,8 +20,10 @@ enum class stage_kind : unsigned char {
 
 /// Which GLSL a pass is written in.
 enum class dialect_kind : unsigned char {
-    vulkan, ///< GLSL 450 for Vulkan 1.1 and up
-    opengl  ///< GLSL 430 for OpenGL 4.3 and up
+    vulkan,  ///< GLSL 450 for Vulkan 1.1 and up
+    opengl,  ///< GLSL 430 for OpenGL 4.3 and up
+    glsl_es, ///< GLSL ES 3.00 for WebGL 2 and OpenGL ES 3.0, or 3.10 for OpenGL ES 3.1 and up
+    webgpu   ///< GLSL 450 of whose SPIR-V naga makes WGSL: images without samplers, constants that are fixed
 };
 
 /// How a compute pass covers its output.
@@ -41,11 +43,11 @@ struct binding {
     access how = access::uniform; ///< what the pass does with it
     unsigned set = 0;             ///< Vulkan descriptor set; 0 in OpenGL
     unsigned slot = 0; ///< Vulkan binding; in OpenGL the unit, counted for each of blocks, textures, images
-                       ///< and buffers
+                       ///< and buffers; GLSL ES 3.00 has no bindings, and a host sets it by the name
     unsigned level = all_levels; ///< of an image with mip levels: the one that is bound
 };
 
-/// A number of a part: a specialization constant in Vulkan GLSL, a `const int` in OpenGL GLSL.
+/// A number of a part: a specialization constant in Vulkan GLSL, a `const int` in other GLSL.
 struct constant {
     std::string_view part;   ///< e.g. "directions"
     std::string_view number; ///< e.g. "steps"; the GLSL identifier is crease_directions_steps
@@ -76,6 +78,8 @@ struct pass {
     extent size;   ///< of the outputs; one of a mip level that the image has not is left out
     dispatch covers = dispatch::texels;      ///< of a compute pass, which workgroups run
     unsigned view = 0;                       ///< index of the camera whose picture it makes
+    bool takes_surfaces = false;             ///< of a geometry pass, whether its function is
+                                             ///< `void crease_capture(vec3 anchor, vec3 normal, vec4 color)`
     array_view<const std::uint32_t> spirv{}; ///< words made beforehand, as by `crease_add_shader`, in place
                                              ///< of the pieces; empty: compile those
     array_view<const std::uint32_t> vertex_spirv{}; ///< the same of a fragment pass's vertex shader

@@ -58,6 +58,8 @@ struct resource {
     void (*fill)(array_view<std::uint32_t> texels) = nullptr; ///< of a constant: its texels, row after row
     void (*shape)(resource& own, const shape_of& effect) =
         nullptr; ///< in a part's description: sets size, layers, levels, samples, format or fill from numbers
+    std::string_view content{}; ///< of an input: what the host gives, such as "device_depth" or
+                                ///< "packed_view_normals": the words of docs/host.md
 };
 
 }

@@ -5,6 +5,8 @@
 // include/crease/parts/<role>/<name>.hpp, one include and one line here beside those of its role, and its
 // tests in tests/pure/parts/<role>/<name>.cpp.
 
+#include <crease/parts/compression/compressed.hpp>
+#include <crease/parts/compression/compressed_occluders.hpp>
 #include <crease/parts/coverage/anisotropic_threshold.hpp>
 #include <crease/parts/coverage/hash_4d.hpp>
 #include <crease/parts/coverage/isotropic_threshold.hpp>
@@ -12,8 +14,10 @@
 #include <crease/parts/coverage/stratified.hpp>
 #include <crease/parts/depth/depth_pyramid.hpp>
 #include <crease/parts/depth/layer_array.hpp>
+#include <crease/parts/depth/linear_lists.hpp>
 #include <crease/parts/depth/linked_lists.hpp>
 #include <crease/parts/depth/mip_chain.hpp>
+#include <crease/parts/depth/multi_resolution.hpp>
 #include <crease/parts/depth/n_buffer.hpp>
 #include <crease/parts/depth/peeled_layers.hpp>
 #include <crease/parts/depth/single_layer.hpp>
@@ -21,8 +25,10 @@
 #include <crease/parts/depth/summed_area.hpp>
 #include <crease/parts/depth/summed_area_adaptive.hpp>
 #include <crease/parts/depth/summed_area_uniform.hpp>
+#include <crease/parts/dialect/glsl_es.hpp>
 #include <crease/parts/dialect/opengl.hpp>
 #include <crease/parts/dialect/vulkan.hpp>
+#include <crease/parts/dialect/webgpu.hpp>
 #include <crease/parts/estimator/cosine_bitmask.hpp>
 #include <crease/parts/estimator/gtao.hpp>
 #include <crease/parts/estimator/hbao.hpp>
@@ -43,6 +49,7 @@
 #include <crease/parts/noise/interleaved_gradient_noise.hpp>
 #include <crease/parts/noise/tiled_noise.hpp>
 #include <crease/parts/output/bent_cone.hpp>
+#include <crease/parts/output/composite.hpp>
 #include <crease/parts/output/packed_bent_cone.hpp>
 #include <crease/parts/output/shade.hpp>
 #include <crease/parts/output/visibility_only.hpp>
@@ -51,7 +58,9 @@
 #include <crease/parts/output_format/rgba8.hpp>
 #include <crease/parts/reads/image_load.hpp>
 #include <crease/parts/reads/texel_fetch.hpp>
+#include <crease/parts/receivers/every_layer.hpp>
 #include <crease/parts/receivers/first_surface.hpp>
+#include <crease/parts/receivers/thin_layers.hpp>
 #include <crease/parts/sampler/box_area.hpp>
 #include <crease/parts/sampler/box_window.hpp>
 #include <crease/parts/sampler/directions.hpp>
@@ -63,6 +72,7 @@
 #include <crease/parts/sampler/slices.hpp>
 #include <crease/parts/sampler/sphere_lines.hpp>
 #include <crease/parts/sampler/sphere_points.hpp>
+#include <crease/parts/sampler/tap_grid.hpp>
 #include <crease/parts/scan/subgroup_scan.hpp>
 #include <crease/parts/scan/work_efficient_scan.hpp>
 #include <crease/parts/stage/compute.hpp>
@@ -81,10 +91,16 @@
 #include <crease/parts/view/given_normals.hpp>
 #include <crease/parts/view/linear_depth.hpp>
 #include <crease/parts/view/linearised_depth.hpp>
+#include <crease/parts/view/logarithmic_depth.hpp>
+#include <crease/parts/view/octahedral_normals.hpp>
+#include <crease/parts/view/octahedral_world_normals.hpp>
 #include <crease/parts/view/orthographic.hpp>
+#include <crease/parts/view/packed_normals.hpp>
+#include <crease/parts/view/packed_world_normals.hpp>
 #include <crease/parts/view/perspective.hpp>
 #include <crease/parts/view/reconstructed_normals.hpp>
 #include <crease/parts/view/second_view.hpp>
+#include <crease/parts/view/world_normals.hpp>
 
 namespace crease {
 
@@ -95,6 +111,7 @@ inline constexpr const part* all_parts[] = {
     &slices_part::description,
     &hemisphere_points_part::description,
     &poisson_disk_part::description,
+    &tap_grid_part::description,
     &sphere_points_part::description,
     &sphere_lines_part::description,
     &hemisphere_lines_part::description,
@@ -105,6 +122,7 @@ inline constexpr const part* all_parts[] = {
     &stochastic_layers_part::description,
     &layer_array_part::description,
     &linked_lists_part::description,
+    &linear_lists_part::description,
     &peeled_layers_part::description,
     &summed_area_part::description,
     &summed_area_uniform_part::description,
@@ -112,6 +130,9 @@ inline constexpr const part* all_parts[] = {
     &n_buffer_part::description,
     &mip_chain_part::description,
     &depth_pyramid_part::description,
+    &multi_resolution_part::description,
+    &compressed_part::description,
+    &compressed_occluders_part::description,
     &hbao::description,
     &hbao_plus::description,
     &gtao::description,
@@ -142,6 +163,7 @@ inline constexpr const part* all_parts[] = {
     &bent_cone::description,
     &packed_bent_cone::description,
     &shade_part::description,
+    &composite_part::description,
     &r8::description,
     &rgba8::description,
     &r32f::description,
@@ -154,7 +176,13 @@ inline constexpr const part* all_parts[] = {
     &device_depth::description,
     &linear_depth::description,
     &linearised_depth::description,
+    &logarithmic_depth::description,
     &given_normals::description,
+    &packed_normals::description,
+    &octahedral_normals::description,
+    &world_normals::description,
+    &packed_world_normals::description,
+    &octahedral_world_normals::description,
     &reconstructed_normals::description,
     &hashed_noise::description,
     &tiled_noise_part::description,
@@ -162,6 +190,8 @@ inline constexpr const part* all_parts[] = {
     &hilbert_r2_noise::description,
     &blue_noise::description,
     &first_surface::description,
+    &every_layer::description,
+    &thin_layers::description,
     &texel_fetch::description,
     &image_load::description,
     &compute_part::description,
@@ -170,6 +200,8 @@ inline constexpr const part* all_parts[] = {
     &functions_part::description,
     &vulkan_glsl::description,
     &opengl_glsl::description,
+    &glsl_es_part::description,
+    &webgpu_glsl::description,
 };
 
 }

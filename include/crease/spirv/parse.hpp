@@ -84,7 +84,7 @@ inline std::string readable(std::string_view log) {
     return text;
 }
 
-/// Parses one stage. Vulkan GLSL is parsed for the version of Vulkan, OpenGL GLSL as its `#version` says.
+/// Parses one stage. Vulkan GLSL is parsed for the version of Vulkan, other GLSL as its `#version` says.
 /// @param what  names the shader in errors, e.g. "pass 'visibility'"
 /// @throws error  with the line `file:line: message` of the first mistake
 inline std::unique_ptr<glslang::TShader> parse(std::span<const piece> pieces, shader_stage stage,

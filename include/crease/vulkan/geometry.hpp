@@ -16,8 +16,9 @@ namespace crease::vulkan {
 
 /// What a host brings to a geometry pass; no GLSL where its SPIR-V is among the options of the runner.
 struct geometry_shaders {
-    std::span<const piece> vertex;   ///< GLSL; `layout(location = 0) in vec3` is the position, 1 the normal
-    std::span<const piece> fragment; ///< GLSL without `#version`; its main calls `crease_capture`
+    std::span<const piece> vertex;         ///< GLSL; `layout(location = 0) in vec3` is the position, 1 the
+                                           ///< normal, `in vec4` at 2 the colour
+    std::span<const piece> fragment;       ///< GLSL without `#version`; its main calls `crease_capture`
     std::uint32_t push_constant_bytes = 0; ///< that both shaders may read; a multiple of 4, at most 128
     bool reversed_depth = false;           ///< the greatest device depth is the nearest
 };
@@ -51,7 +52,8 @@ public:
                       std::span<const std::int32_t> values, std::size_t ways)
         : pass_(of), push_bytes_(host.push_constant_bytes), clear_depth_(host.reversed_depth ? 0.0f : 1.0f),
           descriptors_(on, of.bindings, resources, VK_SHADER_STAGE_FRAGMENT_BIT, ways, push_bytes_,
-                       geometry_stages) {
+                       geometry_stages),
+          input_(mesh_input(shaders.vertex)) {
         expect_push_size(on, push_bytes_);
         target_ = std::make_unique<render_target>(on, std::vector<image*>(), attachment, size,
                                                   earlier_content::cleared);
@@ -59,9 +61,11 @@ public:
     }
 
     /// What is drawn from now on. The mesh must outlive the runs.
-    /// @throws error  where there are not as many push constants as the shaders say
+    /// @throws error  where there are not as many push constants as the shaders say, or no colours that they
+    /// take
     void set(const mesh& triangles, std::span<const std::byte> push_constants) {
         expect_push_constants(push_constants, push_bytes_);
+        expect_colours(triangles, input_);
         triangles_ = &triangles;
         pushed_.assign(push_constants.begin(), push_constants.end());
     }
@@ -84,6 +88,7 @@ private:
     float clear_depth_;
     descriptors descriptors_;
     std::unique_ptr<render_target> target_;
+    VkPipelineVertexInputStateCreateInfo input_;
     owned_pipeline pipeline_;
     const mesh* triangles_ = nullptr;
     std::vector<std::byte> pushed_;
@@ -95,7 +100,7 @@ private:
                  .layout = descriptors_.layout(),
                  .target = target_.get(),
                  .constants = &constants,
-                 .vertex_input = mesh_input(shaders.vertex),
+                 .vertex_input = input_,
                  .nearer = clear_depth_ == 0 ? VK_COMPARE_OP_GREATER : VK_COMPARE_OP_LESS});
     }
 };

@@ -13,9 +13,10 @@ namespace crease::vulkan {
 
 /// What a rasteriser draws with and to.
 struct rasteriser_options {
-    std::span<const piece> vertex;   ///< GLSL; `layout(location = 0) in vec3` is the position, 1 the normal
-    std::span<const piece> fragment; ///< GLSL; writes each of the colours
-    std::span<const format> colours; ///< of locations 0, 1, ...; at least one
+    std::span<const piece> vertex;         ///< GLSL; `layout(location = 0) in vec3` is the position, 1 the
+                                           ///< normal, `in vec4` at 2 the colour
+    std::span<const piece> fragment;       ///< GLSL; writes each of the colours
+    std::span<const format> colours;       ///< of locations 0, 1, ...; at least one
     std::uint32_t push_constant_bytes = 0; ///< that both shaders may read; a multiple of 4, at most 128
     bool reversed_depth =
         false; ///< false: the least depth is seen and the background is 1; true: the greatest, and 0
@@ -53,9 +54,10 @@ public:
 
     /// Clears the images and draws: depth to the background, colours to 0.
     /// @param push_constants  as many bytes as the options say
-    /// @throws error  where they are not as many
+    /// @throws error  where they are not as many, or the shaders take colours and the mesh has none
     void draw(const mesh& triangles, std::span<const std::byte> push_constants = {}) {
         detail::expect_push_constants(push_constants, push_bytes_);
+        detail::expect_colours(triangles, input_);
         device_.submit([&](VkCommandBuffer commands) {
             target_->begin(commands, clear_depth_);
             detail::draw_mesh(commands, pipeline_, layout_, triangles, push_constants);
@@ -75,6 +77,7 @@ private:
     std::vector<std::unique_ptr<image>> colours_;
     std::unique_ptr<detail::render_target> target_;
     detail::owned_pipeline_layout layout_;
+    VkPipelineVertexInputStateCreateInfo input_;
     detail::owned_pipeline pipeline_;
 
     void make_pipeline(const rasteriser_options& options) {
@@ -89,11 +92,12 @@ private:
         layout_ = detail::make<detail::owned_pipeline_layout>(device_.handle(), vkCreatePipelineLayout, info,
                                                               "a pipeline layout");
 
+        input_ = detail::mesh_input(vertex);
         const detail::graphics_description graphics{.vertex = vertex,
                                                     .fragment = fragment,
                                                     .layout = layout_,
                                                     .target = target_.get(),
-                                                    .vertex_input = detail::mesh_input(vertex),
+                                                    .vertex_input = input_,
                                                     .nearer = options.reversed_depth ? VK_COMPARE_OP_GREATER
                                                                                      : VK_COMPARE_OP_LESS};
         pipeline_ = detail::make_graphics_pipeline(device_, graphics);

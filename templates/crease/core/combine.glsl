@@ -5,7 +5,9 @@ __LINE__, R"glsl("
 
 // Of two contributions of a tap the greater one: stochastic-depth-ao 6.2, a-buffer-ssao III A.
 crease_contribution crease_combine(crease_contribution a, crease_contribution b) {
-    return b.occlusion > a.occlusion ? b : a;
+    if (b.occlusion > a.occlusion)
+        a = b;
+    return a;
 }
 #ifdef __cplusplus
 ")glsl"

@@ -5,6 +5,8 @@ float crease_depth_rounding(float depth);
 float crease_slice_weight(float share);
 float crease_layer_thickness(crease_layer layer);
 int crease_step_count();
+int crease_bit_count(uint bits);
+uint crease_sectors_of_opacity(float opacity);
 #else
 __LINE__, R"glsl("
 #endif
@@ -110,7 +112,7 @@ uint crease_cosine_bitmask_sectors_of(crease_march march, crease_cosine_bitmask_
 
 void crease_cosine_bitmask_hide(inout crease_march march, uint hidden, float nearness) {
     if (crease_cosine_bitmask_linear != 0)
-        march.occlusion += float(bitCount(hidden & ~march.hidden)) * nearness;
+        march.occlusion += float(crease_bit_count(hidden & ~march.hidden)) * nearness;
     march.hidden |= hidden;
 }
 
@@ -150,6 +152,13 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
     return contribution;
 }
 
+// Where a tap has one layer, the sectors that it may hide.
+crease_contribution crease_fade(crease_march march, crease_receiver receiver, crease_tap tap,
+                                crease_contribution contribution, float opacity) {
+    contribution.own = (crease_most_layers > 1 ? contribution.own : ~0u) & crease_sectors_of_opacity(opacity);
+    return contribution;
+}
+
 // Layers of a tap hide what any of them hides.
 crease_contribution crease_combine(crease_contribution a, crease_contribution b) {
     crease_contribution near = a, far = b;
@@ -158,7 +167,7 @@ crease_contribution crease_combine(crease_contribution a, crease_contribution b)
         far = a;
     }
     uint added = (far.own | far.behind) & ~near.behind;
-    float before = float(bitCount(near.behind)), more = float(bitCount(added));
+    float before = float(crease_bit_count(near.behind)), more = float(crease_bit_count(added));
     near.behind_nearness = (before * near.behind_nearness + more * max(far.own_nearness, far.behind_nearness)) /
         max(before + more, 1.0);
     near.behind |= added;
@@ -208,7 +217,7 @@ crease_march crease_cosine_bitmask_ended(crease_march march) {
 
 void crease_end_direction(inout crease_estimate estimate, crease_march march) {
     march = crease_cosine_bitmask_ended(march);
-    float hidden = crease_cosine_bitmask_linear != 0 ? march.occlusion : float(bitCount(march.hidden));
+    float hidden = crease_cosine_bitmask_linear != 0 ? march.occlusion : float(crease_bit_count(march.hidden));
     estimate.hidden += march.weight * hidden;
     estimate.whole += march.weight;
 }
@@ -230,9 +239,9 @@ crease_open crease_open_direction(crease_march march, crease_receiver receiver, 
         uint above = below;
         below = (1u << uint(crease_cosine_bitmask_sector(march, sin(width * float(i + 1) - eye)))) - 1u;
         uint within = above & ~below;
-        float taken = float(bitCount(hidden & within));
+        float taken = float(crease_bit_count(hidden & within));
         moved -= vec2(sin(angle), cos(angle)) * (1.5 / float(crease_cosine_bitmask_sectors) * taken);
-        turned += width * taken / max(float(bitCount(within)), 1.0);
+        turned += width * taken / max(float(crease_bit_count(within)), 1.0);
     }
     return crease_open(vec3(direction * moved.x, moved.y) * march.weight, march.weight, turned * march.weight);
 }

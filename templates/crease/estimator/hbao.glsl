@@ -68,7 +68,19 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
     float falloff = 1.0 - squared * march.reach;
     bool counts =
         tap.inside && rise > march.rise && falloff > 0.0 && height > crease_hbao_threshold * sqrt(squared);
-    return counts ? crease_contribution(falloff * (rise - march.rise), rise) : crease_contribution(0.0, march.rise);
+    return crease_contribution(counts ? falloff * (rise - march.rise) : 0.0, counts ? rise : march.rise);
+}
+
+// A layer with an opacity raises the horizon by that share of its rise over the horizon's start, whichever taps came before.
+crease_contribution crease_fade(crease_march march, crease_receiver receiver, crease_tap tap,
+                                crease_contribution contribution, float opacity) {
+    float start = march.cos_tangent * march.bias.x < march.sin_tangent * march.bias.y
+        ? 1.0
+        : march.sin_tangent * march.bias.x + march.cos_tangent * march.bias.y;
+    float own = mix(start - march.sin_tangent, contribution.rise, opacity);
+    bool raises = contribution.rise > march.rise && own > march.rise;
+    float share = raises ? (own - march.rise) / (contribution.rise - march.rise) : 0.0;
+    return crease_contribution(share * contribution.occlusion, mix(march.rise, contribution.rise, share));
 }
 
 // Of all layers of a texel the front one rises the most; if that is below the horizon, so are the others.

@@ -42,7 +42,12 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
     float falloff = 1.0 - squared * march.reach;
     bool counts = tap.inside && falloff > 0.0 && rise > 0.0;
     float weight = tap.inside ? tap.weight : 0.0;
-    return counts ? crease_contribution(weight * falloff * rise, rise, weight) : crease_contribution(0.0, 0.0, weight);
+    return crease_contribution(counts ? weight * falloff * rise : 0.0, counts ? rise : 0.0, weight);
+}
+
+crease_contribution crease_fade(crease_march march, crease_receiver receiver, crease_tap tap,
+                                crease_contribution contribution, float opacity) {
+    return crease_contribution(contribution.occlusion * opacity, contribution.highest * opacity, contribution.weight);
 }
 
 // If the front layer lies below the tangent plane and the ray of its texel goes further down, so do all layers behind

@@ -36,8 +36,8 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
     float height = dot(layer.position - receiver.position, march.axis) * march.scale.x; // in radii
     float share = clamp((height - crease_mean_height_bias) * march.scale.y, 0.0, 1.0);
     float beyond = clamp((height - crease_mean_height_threshold) * march.scale.z, 0.0, 1.0);
-    return tap.inside ? crease_contribution(layer.texels * (share * (1.0 - beyond)), layer.texels)
-                      : crease_contribution(0.0, 0.0);
+    return crease_contribution(tap.inside ? layer.texels * (share * (1.0 - beyond)) : 0.0,
+                               tap.inside ? layer.texels : 0.0);
 }
 
 void crease_add(inout crease_march march, crease_contribution contribution) {

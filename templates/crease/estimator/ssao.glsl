@@ -60,6 +60,15 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
     return crease_ssao_contribution(tap, occlusion, in_range, in_range - occlusion);
 }
 
+// What a layer lets through of a point counts as open.
+crease_contribution crease_fade(crease_march march, crease_receiver receiver, crease_tap tap,
+                                crease_contribution contribution, float opacity) {
+    if (!(contribution.occlusion > 0.0))
+        return contribution;
+    float occlusion = contribution.occlusion * opacity, points = mix(1.0, contribution.points, opacity);
+    return crease_ssao_contribution(tap, occlusion, points, points - occlusion);
+}
+
 // Where the front one is behind the point, all others are.
 bool crease_skip_behind(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer front) {
     return front.position.z - receiver.position.z - march.rounding < tap.offset.z;

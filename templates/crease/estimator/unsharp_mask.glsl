@@ -45,7 +45,7 @@ crease_march crease_begin_direction(crease_estimate estimate, crease_receiver re
 crease_contribution crease_weigh(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer layer) {
     float rise = march.depth - crease_unsharp_mask_depth(-layer.position.z);
     bool counts = tap.inside && abs(rise) < crease_unsharp_mask_threshold;
-    return counts ? crease_contribution(layer.texels * rise, layer.texels) : crease_contribution(0.0, 0.0);
+    return crease_contribution(counts ? layer.texels * rise : 0.0, counts ? layer.texels : 0.0);
 }
 
 void crease_add(inout crease_march march, crease_contribution contribution) {

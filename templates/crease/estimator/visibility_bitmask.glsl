@@ -2,10 +2,12 @@
 #ifndef __cplusplus
 vec3 crease_to_eye(vec3 position);
 float crease_slice_weight(float share);
+int crease_bit_count(uint bits);
 float crease_half_slice_measure(vec2 normal, float cosine);
 crease_half_slice crease_half_slice_along(crease_receiver receiver, vec2 direction);
 vec2 crease_half_slice_normal(crease_half_slice slice, crease_receiver receiver, vec3 to_point);
 crease_half_slice crease_half_slice_of(vec2 normal);
+uint crease_sectors_of_opacity(float opacity);
 #else
 __LINE__, R"glsl("
 #endif
@@ -56,6 +58,11 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
                                ~crease_visibility_bitmask_from(march, receiver, to_layer + last * back));
 }
 
+crease_contribution crease_fade(crease_march march, crease_receiver receiver, crease_tap tap,
+                                crease_contribution contribution, float opacity) {
+    return crease_contribution(contribution.hidden & crease_sectors_of_opacity(opacity));
+}
+
 // Layers of a tap hide what any of them hides.
 crease_contribution crease_combine(crease_contribution a, crease_contribution b) {
     return crease_contribution(a.hidden | b.hidden);
@@ -75,7 +82,7 @@ void crease_add_behind(inout crease_march march, crease_contribution front, crea
 
 void crease_end_direction(inout crease_estimate estimate, crease_march march) {
     float weight = crease_slice_weight(march.slice.share);
-    estimate.hidden += weight * float(bitCount(march.hidden)) / 32.0;
+    estimate.hidden += weight * float(crease_bit_count(march.hidden)) / 32.0;
     estimate.whole += weight;
 }
 
@@ -88,12 +95,12 @@ crease_open crease_open_direction(crease_march march, crease_receiver receiver, 
     for (int i = 0; i < 8; ++i) {
         float angle = width * (float(i) + 0.5);
         float after = crease_half_slice_measure(march.slice.normal, cos(width * float(i + 1)));
-        float hidden = float(bitCount(march.hidden & (15u << uint(4 * i)))) / 4.0;
+        float hidden = float(crease_bit_count(march.hidden & (15u << uint(4 * i)))) / 4.0;
         moved -= vec2(sin(angle), cos(angle)) * (hidden * (after - before));
         before = after;
     }
     moved *= 1.5 * weight / max(march.slice.share, 1e-6);
-    float turned = 8.0 * width * float(bitCount(march.hidden)) / 32.0;
+    float turned = 8.0 * width * float(crease_bit_count(march.hidden)) / 32.0;
     return crease_open(vec3(direction * moved.x, moved.y), weight, weight * turned);
 }
 

@@ -18,7 +18,8 @@ struct crease_pattern {
 
 crease_pattern crease_pattern_begin(crease_receiver receiver) {
     vec2 on_disk = vec2(dot(receiver.normal, receiver.tangent), dot(receiver.normal, receiver.bitangent));
-    return crease_pattern(on_disk, crease_noise(receiver.pixel), crease_stepped_march(vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), 0.0));
+    crease_stepped_march none = crease_stepped_march(vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), 0.0);
+    return crease_pattern(on_disk, crease_noise(receiver.pixel), none);
 }
 
 int crease_direction_count() { return crease_half_directions_count; }

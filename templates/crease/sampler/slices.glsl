@@ -17,7 +17,8 @@ struct crease_pattern {
 };
 
 crease_pattern crease_pattern_begin(crease_receiver receiver) {
-    return crease_pattern(crease_noise(receiver.pixel), vec2(0.0), crease_stepped_march(vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), 0.0));
+    crease_stepped_march none = crease_stepped_march(vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), 0.0);
+    return crease_pattern(crease_noise(receiver.pixel), vec2(0.0), none);
 }
 
 int crease_direction_count() { return 2 * crease_slices_count; }

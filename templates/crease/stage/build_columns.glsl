@@ -5,7 +5,9 @@ void crease_build_line(int line);
 __LINE__, R"glsl("
 #endif
 
-void main() { crease_build_line(int(gl_GlobalInvocationID.x)); }
+void main() {
+    crease_build_line(int(gl_GlobalInvocationID.x));
+}
 #ifdef __cplusplus
 ")glsl"
 #endif

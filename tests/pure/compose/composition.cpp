@@ -39,7 +39,8 @@ constexpr resource numbers[] = {
 constexpr resource cleared_numbers[] = {
     {.name = "numbers", .texels = format::rgba32_float, .life = lifetime::transient, .cleared = true}};
 constexpr std::string_view filled[] = {"numbers"}, unknown[] = {"letters"};
-constexpr std::string_view five[] = {"numbers", "numbers", "numbers", "numbers", "numbers"};
+constexpr std::string_view nine[] = {"numbers", "numbers", "numbers", "numbers", "numbers",
+                                     "numbers", "numbers", "numbers", "numbers"};
 
 constexpr step make{.name = "make", .files = making, .kind = step_kind::texels, .writes = filled};
 constexpr step make_after[] = {
@@ -47,7 +48,7 @@ constexpr step make_after[] = {
 constexpr step make_before[] = {make};
 constexpr step make_unknown[] = {
     {.name = "make", .files = making, .kind = step_kind::texels, .writes = unknown}};
-constexpr step make_five[] = {{.name = "make", .files = making, .kind = step_kind::texels, .writes = five}};
+constexpr step make_nine[] = {{.name = "make", .files = making, .kind = step_kind::texels, .writes = nine}};
 constexpr step make_often[] = {
     {.name = "make", .files = making, .kind = step_kind::texels, .writes = filled, .times = 32}};
 constexpr step make_just_often_enough[] = {
@@ -121,11 +122,11 @@ TEST_CASE("a step that fills what no part describes is refused") {
 
 TEST_CASE("too many passes, and too many outputs of one, are refused") {
     const std::string few_passes =
-        "crease::effect: an effect has 32 passes at the most, each with 4 outputs, "
+        "crease::effect: an effect has 32 passes at the most, each with 8 outputs, "
         "16 bindings and 32 constants ";
     CHECK(error_with(host::noise(host::numbers, host::make_just_often_enough)).empty());
     CHECK(error_with(host::noise(host::numbers, host::make_often)).starts_with(few_passes));
-    CHECK(error_with(host::noise(host::numbers, host::make_five)).starts_with(few_passes));
+    CHECK(error_with(host::noise(host::numbers, host::make_nine)).starts_with(few_passes));
 }
 
 TEST_CASE("too many resources, settings or cameras are refused") {

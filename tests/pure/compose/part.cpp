@@ -57,9 +57,20 @@ TEST_CASE("each part is described in full") {
 
 TEST_CASE("a part's GLSL has the part's stem") {
     // Parts without GLSL of their own, or whose name in a recipe is another.
-    const std::set<std::string_view> others{
-        "texel_fetch",     "image_load",       "vulkan", "opengl", "second_view", "further_views",
-        "centred_samples", "packed_bent_cone", "r8",     "rgba8",  "r32f"};
+    const std::set<std::string_view> others{"texel_fetch",
+                                            "image_load",
+                                            "vulkan",
+                                            "opengl",
+                                            "second_view",
+                                            "further_views",
+                                            "centred_samples",
+                                            "packed_bent_cone",
+                                            "r8",
+                                            "rgba8",
+                                            "r32f",
+                                            "world_normals",
+                                            "packed_world_normals",
+                                            "octahedral_world_normals"};
     for (const crease::part* each : crease::all_parts) {
         CAPTURE(std::string(each->name));
         bool is_there = others.contains(each->name);

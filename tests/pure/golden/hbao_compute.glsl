@@ -308,7 +308,7 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
     float falloff = 1.0 - squared * march.reach;
     bool counts =
         tap.inside && rise > march.rise && falloff > 0.0 && height > crease_hbao_threshold * sqrt(squared);
-    return counts ? crease_contribution(falloff * (rise - march.rise), rise) : crease_contribution(0.0, march.rise);
+    return crease_contribution(counts ? falloff * (rise - march.rise) : 0.0, counts ? rise : march.rise);
 }
 
 crease_layer crease_layer_at(crease_layers layers, int i) {
@@ -399,12 +399,19 @@ crease_receiver crease_make_receiver(ivec2 pixel, vec2 texel, vec3 position, vec
                            crease_disk(position, tangent, bitangent));
 }
 
-// The normals image holds view-space normals, facing the camera, of any length; one that has no direction counts as
-// facing the eye.
-vec3 crease_normal_at(vec2 texel, vec3 position) {
-    vec3 normal = textureLod(crease_normal, (texel + 0.5) * crease_view.texel_size, 0.0).xyz;
+// A normal of any length as one of unit length; what has no direction counts as facing the eye.
+vec3 crease_unit_normal(vec3 normal, vec3 position) {
     float squared = dot(normal, normal);
     return squared > 0.0 && squared < 1.0e30 ? normal * inversesqrt(squared) : crease_to_eye(position);
+}
+
+// The image holds normals as they are.
+vec3 crease_stored_normal(vec2 texel) {
+    return textureLod(crease_normal, (texel + 0.5) * crease_view.texel_size, 0.0).xyz;
+}
+
+vec3 crease_normal_at(vec2 texel, vec3 position) {
+    return crease_unit_normal(crease_stored_normal(texel), position);
 }
 
 // Of the surface in the depth image; background is open.

@@ -242,7 +242,7 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
     float falloff = 1.0 - squared * march.reach;
     bool counts = tap.inside && falloff > 0.0 && rise > 0.0;
     float weight = tap.inside ? tap.weight : 0.0;
-    return counts ? crease_contribution(weight * falloff * rise, rise, weight) : crease_contribution(0.0, 0.0, weight);
+    return crease_contribution(counts ? weight * falloff * rise : 0.0, counts ? rise : 0.0, weight);
 }
 
 crease_layer crease_layer_at(crease_layers layers, int i) {
@@ -336,12 +336,19 @@ crease_receiver crease_make_receiver(ivec2 pixel, vec2 texel, vec3 position, vec
                            crease_disk(position, tangent, bitangent));
 }
 
-// The normals image holds view-space normals, facing the camera, of any length; one that has no direction counts as
-// facing the eye.
-vec3 crease_normal_at(vec2 texel, vec3 position) {
-    vec3 normal = textureLod(crease_normal, (texel + 0.5) * crease_view.texel_size, 0.0).xyz;
+// A normal of any length as one of unit length; what has no direction counts as facing the eye.
+vec3 crease_unit_normal(vec3 normal, vec3 position) {
     float squared = dot(normal, normal);
     return squared > 0.0 && squared < 1.0e30 ? normal * inversesqrt(squared) : crease_to_eye(position);
+}
+
+// The image holds normals as they are.
+vec3 crease_stored_normal(vec2 texel) {
+    return textureLod(crease_normal, (texel + 0.5) * crease_view.texel_size, 0.0).xyz;
+}
+
+vec3 crease_normal_at(vec2 texel, vec3 position) {
+    return crease_unit_normal(crease_stored_normal(texel), position);
 }
 
 // Of the surface in the depth image; background is open.
@@ -355,4 +362,6 @@ crease_result crease_evaluate(ivec2 pixel) {
 }
 
 // Visibility of a pixel of the pass's output: 1 open, 0 closed.
-float crease_visibility(ivec2 pixel) { return crease_evaluate(pixel).visibility; }
+float crease_visibility(ivec2 pixel) {
+    return crease_evaluate(pixel).visibility;
+}

@@ -87,3 +87,22 @@ TEST_CASE("eye mesh: a radius that 32 bits cannot hold beside the distance or th
     CHECK(away.radius(1) == 1e-6f);
     expect_error<scene_error>("must be 0 or 0.954 to", [&] { away.radius(0.9f); });
 }
+
+TEST_CASE("eye mesh: what has opacity 0 is left out, and the others keep their materials") {
+    mesh scene = triangle({0, 0, -3}, 1);
+    paint(scene, {{1, 0, 0, 0.5f}});
+    add_triangle(scene, {0, 0, -4}, 1);
+    paint(scene, {{0, 1, 0, 0}});
+    add_triangle(scene, {0, 0, -5}, 1);
+    paint(scene, {{0, 0, 1, 1}});
+    add_triangle(scene, {0, 0, -6}, 1);
+    const eye_mesh seen = seen_from(glm::dvec3(0), scene);
+    CHECK(seen.indices == std::vector<std::uint32_t>{0, 1, 2, 6, 7, 8, 9, 10, 11});
+    CHECK(seen.material_of(0) == material{{1, 0, 0, 0.5f}});
+    CHECK(seen.material_of(1) == material{{0, 0, 1, 1}});
+    CHECK(seen.material_of(2) == material{});
+    mesh clear = triangle({0, 0, -3}, 1);
+    paint(clear, {{1, 1, 1, 0}});
+    expect_error<scene_error>("every triangle of the scene has opacity 0, so that nothing is seen",
+                              [&] { seen_from(glm::dvec3(0), clear); });
+}

@@ -199,6 +199,30 @@ TEST_CASE("glTF: a skin moves vertices with its joints, and the node of the mesh
     }
 }
 
+TEST_CASE("glTF: materials of primitives, and what is masked away is not there") {
+    gltf_file file;
+    nlohmann::json& primitives = file.json["meshes"][0]["primitives"];
+    primitives = {primitives[0], primitives[0], primitives[0], primitives[0]};
+    for (std::size_t i = 1; i < 4; ++i)
+        primitives[i]["material"] = i - 1;
+    file.json["materials"] = nlohmann::json::parse(
+        R"([{"alphaMode": "BLEND", "pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 0.5]}},
+            {"alphaMode": "MASK", "pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 0.4]}},
+            {"pbrMetallicRoughness": {"baseColorFactor": [0, 1, 0, 0.5]}}])");
+    const mesh read = read_gltf(file.glb(), nullptr);
+    REQUIRE(read.triangles() == 6); // two of each
+    CHECK(read.material_of(0) == material{});
+    CHECK(read.material_of(1) == material{});
+    CHECK(read.material_of(2) == material{{1, 0, 0, 0.5f}});
+    CHECK(read.material_of(3) == material{{1, 0, 0, 0.5f}});
+    CHECK(read.material_of(5) == material{{0, 1, 0, 1}});
+    primitives[3]["material"] = 3;
+    check_refused(file, "meshes[0].primitives[3].material is 3, and there are only 3");
+    primitives[3]["material"] = 1;
+    file.json["materials"][1]["alphaMode"] = "GLASS";
+    check_refused(file, "materials[1].alphaMode is 'GLASS', and must be OPAQUE, MASK or BLEND");
+}
+
 TEST_CASE("glTF: what a file requires and is not read is refused by name") {
     gltf_file file;
     file.json["extensionsRequired"] = {"KHR_materials_clearcoat", "KHR_texture_transform"};

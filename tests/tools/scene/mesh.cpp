@@ -38,10 +38,50 @@ TEST_CASE("mesh: a gltf with its data in a file beside it") {
                               [&] { parse_mesh(file.json.dump(), "gltf", "memory"); });
 }
 
-TEST_CASE("mesh: an obj's materials are not read") {
+TEST_CASE("mesh: an obj's materials that cannot be read change nothing") {
     const temporary_folder folder;
     folder.put("a.mtl", std::string("newmtl a\naniso 0.7\nmt\0,\xff map_Kd\n", 32));
     CHECK(load_mesh(folder.put("a.obj", "mtllib a.mtl\nusemtl a\n" + triangle)).triangles() == 1);
+}
+
+TEST_CASE("mesh: an obj's materials are beside it") {
+    const temporary_folder folder;
+    folder.put("clear glass.mtl", "newmtl a\nd 0.5\n");
+    const std::string scene = "mtllib clear glass.mtl\nusemtl a\n" + triangle;
+    CHECK(is_transparent(load_mesh(folder.put("a.obj", scene))));
+    CHECK_FALSE(is_transparent(parse_mesh(scene, "obj", "memory"))); // which reads no further file
+    folder.put("clear glass.mtl", "newmtl a\nd 1.5\n");
+    expect_error<scene_error>("a.obj: needs 'clear glass.mtl': line 2: '1.5' is not a number from 0 to 1",
+                              [&] { load_mesh(folder / "a.obj"); });
+    std::filesystem::resize_file(folder / "clear glass.mtl", (1u << 24) + 1);
+    expect_error<scene_error>(
+        "a.obj: needs 'clear glass.mtl', which has more than 16777216 bytes; simplify it",
+        [&] { load_mesh(folder / "a.obj"); });
+}
+
+TEST_CASE("mesh: paint is for the triangles that have none yet") {
+    mesh scene{.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .indices = {0, 1, 2}};
+    const material red{{1, 0, 0, 0.5f}}, blue{{0, 0, 1, 1}};
+    CHECK_FALSE(is_transparent(scene));
+    CHECK(scene.material_of(0) == material{});
+    paint(scene, red);
+    paint(scene, blue); // of none
+    add_triangle(scene, 2, 1, 0);
+    CHECK(scene.material_of(1) == material{});
+    paint(scene, blue);
+    add_triangle(scene, 0, 1, 2);
+    paint(scene, blue);
+    CHECK(scene.material_of(0) == red);
+    CHECK(scene.material_of(1) == blue);
+    CHECK(scene.material_of(2) == blue);
+    CHECK(scene.materials.size() == 2);
+    CHECK(is_transparent(scene));
+    const mesh clear = with_opacity(scene, 0.25f);
+    CHECK(clear.material_of(0) == red);
+    CHECK(clear.material_of(1) == material{{0, 0, 1, 0.25f}});
+    scene.materials.clear();
+    scene.material_ids.clear();
+    CHECK(with_opacity(scene, 0.25f).material_of(2) == material{{1, 1, 1, 0.25f}});
 }
 
 TEST_CASE("mesh: triangles without area are left out") {
@@ -113,4 +153,15 @@ TEST_CASE("mesh: the check of one made by hand") {
     bad.indices.push_back(0);
     expect_error<scene_error>("it: has 4 indices", [&] { check_mesh(bad, "it"); });
     expect_error<scene_error>("it: has no triangles", [] { check_mesh({}, "it"); });
+    bad = good;
+    for (const float wrong : {-0.1f, 1.1f, std::numeric_limits<float>::quiet_NaN()}) {
+        bad.materials = {{{1, 1, 1, wrong}}};
+        expect_error<scene_error>(
+            "it: a material's colour has a number that is not from 0 to 1; export it again",
+            [&] { check_mesh(bad, "it"); });
+    }
+    bad = good;
+    bad.material_ids = {0};
+    expect_error<scene_error>("it: a triangle is of a material that is not there",
+                              [&] { check_mesh(bad, "it"); });
 }

@@ -2,6 +2,7 @@
 #include "scene/obj.hpp"
 
 #include "expect_error.hpp"
+#include "temporary_folder.hpp"
 
 using namespace crease::tools;
 
@@ -51,6 +52,23 @@ TEST_CASE("obj: corners of a face") {
     for (const std::string corner : {"0", "4", "-4", "x", "1x", "1.5", "99999999999999999999", "/1"})
         check_refused(three + "f 1 2 " + corner, "line 4: '" + corner + "' is not one of the 3 vertices");
     check_refused("v 0 0 0\nf -1 -2 -3\nv 1 1 1\n", "line 2: '-2' is not one of the 1 vertices");
+}
+
+TEST_CASE("obj: materials of the faces below the line that names them") {
+    const temporary_folder folder;
+    folder.put("a.mtl", "newmtl red glass\nKd 1 0 0\nd 0.5\nnewmtl green\nKd 0 1 0\n");
+    folder.put("b.mtl", "newmtl green\nKd 0 0 1\n");
+    const std::filesystem::path place = folder / "";
+    const mesh read = read_obj("mtllib a.mtl\nmtllib b.mtl\nmtllib absent.mtl\nmtllib .\nmtllib\n" + three +
+                                   "f 1 2 3\nusemtl red glass\nf 1 2 3\nf 3 2 1\nusemtl green\nf 1 2 3\n"
+                                   "usemtl absent\nf 1 2 3\n",
+                               &place);
+    REQUIRE(read.triangles() == 5);
+    CHECK(read.material_of(0) == material{});
+    CHECK(read.material_of(1) == material{{1, 0, 0, 0.5f}});
+    CHECK(read.material_of(2) == material{{1, 0, 0, 0.5f}});
+    CHECK(read.material_of(3) == material{{0, 1, 0, 1}});
+    CHECK(read.material_of(4) == material{});
 }
 
 TEST_CASE("obj: faces of fewer corners, or without area, add nothing") {

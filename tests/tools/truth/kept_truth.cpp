@@ -73,6 +73,15 @@ TEST_CASE("kept truth: it is traced once, and again where anything that it follo
     differs([](view_of_corner& v) { v.settings.radius = 2; });
     differs([](view_of_corner& v) { v.settings.rays = 17; });
     differs([](view_of_corner& v) { v.settings.seed = 2; });
+    differs([](view_of_corner& v) { v.scene = with_opacity(v.scene, 0.5f); });
+    differs([](view_of_corner& v) { v.scene = with_opacity(v.scene, 0.25f); });
+    differs([](view_of_corner& v) {
+        v.scene = with_opacity(v.scene, 0.5f);
+        v.settings.hull = true;
+    });
+    view_of_corner painted;
+    paint(painted.scene, {{1, 0, 0, 1}}); // which no ray sees
+    CHECK_FALSE(painted.asks(folder));
     CHECK_FALSE(view.asks(folder));
     CHECK(folder.files() == 1); // whatever the label
 }

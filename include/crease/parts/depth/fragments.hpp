@@ -15,6 +15,11 @@ inline constexpr glsl_file fragment_key_glsl{
 #include <crease/depth/fragment_key.glsl>
 };
 
+inline constexpr glsl_file insert_fragment_glsl{
+    "depth/insert_fragment.glsl",
+#include <crease/depth/insert_fragment.glsl>
+};
+
 inline constexpr glsl_file pack_fragments_glsl{
     "depth/pack_fragments.glsl",
 #include <crease/depth/pack_fragments.glsl>
@@ -65,6 +70,20 @@ constexpr resource fragments_lost(std::string_view name, std::string_view meanin
 inline constexpr resource fragments_beyond_layers =
     fragments_lost("fragments_beyond_layers",
                    "fragments that lie behind the layers kept of their texel: more layers keep them");
+
+/// The size of the pool of a depth source of lists.
+inline constexpr number pool_nodes_number{
+    "nodes", 1, 64, 8, "size of the pool: nodes for each texel, on average; each texel has one more"};
+
+/// As many nodes for each texel as the second number of the depth source says.
+constexpr void shape_pool(resource& own, const shape_of& effect) {
+    own.layers = static_cast<unsigned>(effect.own.numbers[1]);
+}
+
+/// Fragments that found no node.
+inline constexpr resource fragments_beyond_pool =
+    fragments_lost("fragments_beyond_pool",
+                   "fragments that found the pool of nodes full: more nodes for each texel keep them");
 
 /// The names of what a geometry pass or a packing pass fills, the image first.
 /// @{

@@ -17,6 +17,11 @@ CREASE_TRAIT(layers_behind_front, depth_source,
 CREASE_TRAIT(layers_of_two_views, depth_source,
              "the second view needs layers of two cameras, and the depth source holds those of one");
 
+/// Layers with normal, colour and opacity: they are captured by
+/// `void crease_capture(vec3 anchor, vec3 normal, vec4 color)` where a part needs it.
+CREASE_TRAIT(layers_with_opacity, depth_source,
+             "layers are needed with their opacity, and the depth source keeps depths alone");
+
 /// Means over areas of the picture, layer by layer.
 CREASE_TRAIT(layers_of_areas, depth_source,
              "the sampler proposes areas, and the depth source holds no means over them");

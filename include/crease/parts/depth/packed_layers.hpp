@@ -15,7 +15,10 @@ inline constexpr glsl_file packed_layers_glsl{
 constexpr void shape_packed_layers(resource& own, const shape_of& effect) {
     const int count = effect.own.numbers[0];
     own.layers = static_cast<unsigned>((count + 3) / 4) * effect.views;
-    own.texels = count == 1 ? format::r32_float : count == 2 ? format::rg32_float : format::rgba32_float;
+    if (effect.needs(&layers_with_opacity::value))
+        own.texels = format::rgba32_float;
+    else
+        own.texels = count == 1 ? format::r32_float : count == 2 ? format::rg32_float : format::rgba32_float;
 }
 
 /// What taps read of a depth source that packs its layers.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <crease/parts/depth/layers.hpp>
+#include <crease/parts/estimator/opacity_sectors.hpp>
 #include <crease/parts/estimator/open_horizon.hpp>
 #include <crease/parts/estimator/visibility_settings.hpp>
 #include <crease/parts/output/bent_cone.hpp>
@@ -13,6 +14,11 @@ namespace crease {
 inline constexpr glsl_file cosine_bitmask_glsl{
     "estimator/cosine_bitmask.glsl",
 #include <crease/estimator/cosine_bitmask.glsl>
+};
+
+inline constexpr glsl_file cosine_bitmask_opacity_glsl{
+    "estimator/cosine_bitmask_opacity.glsl",
+#include <crease/estimator/cosine_bitmask_opacity.glsl>
 };
 
 struct cosine_bitmask_part {
@@ -29,13 +35,16 @@ struct cosine_bitmask_part {
         strength_setting(1),
         exponent_setting(1),
     };
-    static constexpr const glsl_file* files[] = {&open_horizon_glsl, &cosine_bitmask_glsl};
+    static constexpr const glsl_file* files[] = {&open_horizon_glsl, &opacity_sectors_glsl,
+                                                 &cosine_bitmask_glsl};
+    static constexpr const glsl_file* fading[] = {&cosine_bitmask_opacity_glsl};
     static constexpr part description{
         .kind = role::estimator,
         .name = "cosine_bitmask",
         .summary = "the sectors of the cosine lobe that layers of a thickness hide",
         .source = "Therrien et al. 2023, with sectors of equal cosine-weighted measure",
         .files = files,
+        .widened = {&layers_with_opacity::value, fading},
         .numbers = takes,
         .settings = reads,
         .needs = needs::list,

@@ -5,6 +5,7 @@
 #include <crease/parts/estimator/open_horizon.hpp>
 #include <crease/parts/estimator/visibility_settings.hpp>
 #include <crease/parts/output/bent_cone.hpp>
+#include <crease/parts/receivers/thin_layers.hpp>
 #include <crease/parts/sampler/taps.hpp>
 #include <crease/parts/traversal/deferred_layers.hpp>
 #include <crease/parts/view/second_view.hpp>
@@ -33,7 +34,7 @@ struct hbao_plus {
         .files = files,
         .settings = reads,
         .needs = needs::list,
-        .offers = traits<layers_behind, open_directions, any_eye>::list,
+        .offers = traits<layers_behind, open_directions, any_eye, both_sides>::list,
     };
 };
 

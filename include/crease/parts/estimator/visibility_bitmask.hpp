@@ -3,6 +3,7 @@
 
 #include <crease/parts/depth/layers.hpp>
 #include <crease/parts/estimator/half_slice.hpp>
+#include <crease/parts/estimator/opacity_sectors.hpp>
 #include <crease/parts/estimator/open_horizon.hpp>
 #include <crease/parts/estimator/visibility_settings.hpp>
 #include <crease/parts/output/bent_cone.hpp>
@@ -25,7 +26,7 @@ struct visibility_bitmask {
         strength_setting(1),
         exponent_setting(1),
     };
-    static constexpr const glsl_file* files[] = {&open_horizon_glsl, &half_slice_glsl,
+    static constexpr const glsl_file* files[] = {&open_horizon_glsl, &half_slice_glsl, &opacity_sectors_glsl,
                                                  &visibility_bitmask_glsl};
     static constexpr part description{
         .kind = role::estimator,

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <crease/parts/output/octahedron.hpp>
 #include <crease/parts/output/outputs.hpp>
 
 namespace crease {
-
-inline constexpr glsl_file encoding_octahedron_glsl{
-    "encoding/octahedron.glsl",
-#include <crease/encoding/octahedron.glsl>
-};
 
 inline constexpr glsl_file encoding_bent_cone_glsl{
     "encoding/bent_cone.glsl",
@@ -60,7 +56,7 @@ struct bent_cone {
         .files = files,
         .resources = images,
         .needs = needs::list,
-        .offers = traits<handed_on_normals>::list,
+        .offers = traits<handed_on_normals, any_resolution>::list,
     };
 };
 

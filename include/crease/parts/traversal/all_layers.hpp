@@ -15,6 +15,12 @@ CREASE_TRAIT(any_view, layer_traversal,
              "the second view needs a layer traversal that looks at no depth image, as there is none of the "
              "second camera");
 
+/// Takes every layer from the depth source, the front one too.
+CREASE_TRAIT(
+    layers_alone, layer_traversal,
+    "layers are weighed by their opacity, and the layer traversal takes the front one from the depth "
+    "image, which tells none");
+
 /// Layer traversal: all layers of every tap, combined by the estimator. The default.
 struct all_layers {
     using needs = traits<depth_layers>;
@@ -26,7 +32,7 @@ struct all_layers {
         .source = "stochastic-depth-ao 2020, 6.2",
         .files = files,
         .needs = needs::list,
-        .offers = traits<any_view>::list,
+        .offers = traits<any_view, layers_alone>::list,
     };
 };
 

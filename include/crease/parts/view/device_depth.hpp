@@ -13,7 +13,7 @@ inline constexpr glsl_file device_depth_glsl{
 /// Depth encoding: the depth image is the depth buffer, in [0, 1]. The default.
 struct device_depth {
     static constexpr resource inputs[] = {
-        {.name = "depth", .texels = format::d32_float, .size = {.guarded = true}}};
+        {.name = "depth", .texels = format::d32_float, .size = {.guarded = true}, .content = "device_depth"}};
     static constexpr const glsl_file* files[] = {&device_depth_glsl};
     static constexpr part description{
         .kind = role::depth_encoding,

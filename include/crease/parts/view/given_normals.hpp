@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/compose/part.hpp>
+#include <crease/parts/view/normal_image.hpp>
 
 namespace crease {
 
@@ -13,9 +13,8 @@ inline constexpr glsl_file given_normals_glsl{
 /// Normals: an image of view-space normals that face the camera, of any length. The default. One that is zero
 /// or not finite counts as facing the eye.
 struct given_normals {
-    static constexpr resource inputs[] = {
-        {.name = "normal", .texels = format::rgba16_float, .size = {.guarded = true}}};
-    static constexpr const glsl_file* files[] = {&given_normals_glsl};
+    static constexpr resource inputs[] = {normal_image("view_normals", format::rgba16_float)};
+    static constexpr const glsl_file* files[] = {&given_normals_glsl, &unit_normal_glsl, &view_space_glsl};
     static constexpr part description{
         .kind = role::normals,
         .name = "given_normals",

@@ -13,7 +13,7 @@ inline constexpr glsl_file linear_depth_glsl{
 /// Depth encoding: the depth image holds positive linear view depth.
 struct linear_depth {
     static constexpr resource inputs[] = {
-        {.name = "depth", .texels = format::r32_float, .size = {.guarded = true}}};
+        {.name = "depth", .texels = format::r32_float, .size = {.guarded = true}, .content = "linear_depth"}};
     static constexpr const glsl_file* files[] = {&linear_depth_glsl};
     static constexpr part description{
         .kind = role::depth_encoding,

@@ -19,7 +19,7 @@ inline constexpr glsl_file linearise_glsl{
 /// depth of its texels, from which all others load: for effects with many taps.
 struct linearised_depth {
     static constexpr resource images[] = {
-        {.name = "depth", .texels = format::d32_float, .size = {.guarded = true}},
+        {.name = "depth", .texels = format::d32_float, .size = {.guarded = true}, .content = "device_depth"},
         {.name = "linearised_depth",
          .texels = format::r32_float,
          .life = lifetime::transient,

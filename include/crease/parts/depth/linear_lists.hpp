@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/parts/depth/fragments.hpp>
+#include <crease/parts/storage/captures.hpp>
+
+namespace crease {
+
+inline constexpr glsl_file linear_lists_glsl{
+    "depth/linear_lists.glsl",
+#include <crease/depth/linear_lists.glsl>
+};
+
+inline constexpr glsl_file linear_lists_count_glsl{
+    "depth/linear_lists_count.glsl",
+#include <crease/depth/linear_lists_count.glsl>
+};
+
+inline constexpr glsl_file linear_lists_columns_glsl{
+    "depth/linear_lists_columns.glsl",
+#include <crease/depth/linear_lists_columns.glsl>
+};
+
+inline constexpr glsl_file linear_lists_row_glsl{
+    "depth/linear_lists_row.glsl",
+#include <crease/depth/linear_lists_row.glsl>
+};
+
+inline constexpr glsl_file count_before_glsl{
+    "depth/count_before.glsl",
+#include <crease/depth/count_before.glsl>
+};
+
+inline constexpr glsl_file linear_lists_range_glsl{
+    "depth/linear_lists_range.glsl",
+#include <crease/depth/linear_lists_range.glsl>
+};
+
+inline constexpr glsl_file linear_lists_draw_glsl{
+    "depth/linear_lists_draw.glsl",
+#include <crease/depth/linear_lists_draw.glsl>
+};
+
+inline constexpr glsl_file linear_lists_sort_glsl{
+    "depth/linear_lists_sort.glsl",
+#include <crease/depth/linear_lists_sort.glsl>
+};
+
+struct linear_lists_part {
+    static constexpr number takes[] = {fragment_layers_number, pool_nodes_number, capture_places[0],
+                                       capture_places[1], capture_places[2]};
+    static constexpr resource owns[] = {
+        {.name = "nearest_fragments",
+         .texels = format::r32_uint,
+         .life = lifetime::transient,
+         .size = {.guarded = true},
+         .read = access::load,
+         .cleared = true,
+         .clear = ~0u},
+        {.name =
+             "list_places", // how many fragments are counted, then where the list ends; how many are stored
+         .texels = format::r32_uint,
+         .life = lifetime::transient,
+         .size = {.guarded = true},
+         .layers = 2,
+         .arrayed = true,
+         .read = access::load,
+         .cleared = true},
+        {.name = "column_starts",
+         .kind = resource_kind::buffer,
+         .element = "uint",
+         .life = lifetime::transient,
+         .size = {.guarded = true, .fixed_height = 1}},
+        {.name = "list_nodes",
+         .kind = resource_kind::buffer,
+         .element = "uint",
+         .life = lifetime::transient,
+         .size = {.guarded = true},
+         .shape = shape_pool},
+        fragments_beyond_pool,
+        fragments_beyond_layers,
+        packed_layers};
+    static constexpr const glsl_file* counting[] = {&linear_lists_count_glsl};
+    static constexpr const glsl_file* column_files[] = {&linear_lists_columns_glsl, &count_before_glsl};
+    static constexpr const glsl_file* row_files[] = {&linear_lists_row_glsl, &count_before_glsl};
+    static constexpr const glsl_file* drawing[] = {&linear_lists_draw_glsl, &linear_lists_range_glsl,
+                                                   &fragment_key_glsl, &fragments_glsl};
+    static constexpr const glsl_file* packing[] = {&pack_fragments_glsl, &linear_lists_sort_glsl,
+                                                   &linear_lists_range_glsl, &insert_fragment_glsl,
+                                                   &fragments_glsl};
+    static constexpr std::string_view places[] = {"list_places"}, starts[] = {"column_starts"};
+    static constexpr std::string_view drawn[] = {"nearest_fragments", "list_places", "list_nodes",
+                                                 "fragments_beyond_pool"};
+    static constexpr role required[] = {role::scan};
+    static constexpr step passes[] = {{.name = "count_fragments",
+                                       .files = counting,
+                                       .kind = step_kind::geometry,
+                                       .writes = places,
+                                       .how = access::modify},
+                                      {.name = "sum_columns",
+                                       .files = column_files,
+                                       .kind = step_kind::columns,
+                                       .writes = places,
+                                       .how = access::modify},
+                                      {.name = "sum_row",
+                                       .files = row_files,
+                                       .kind = step_kind::rows,
+                                       .writes = starts,
+                                       .group_width = 256,
+                                       .group_height = 1},
+                                      {.name = "capture_layers",
+                                       .files = drawing,
+                                       .kind = step_kind::geometry,
+                                       .writes = drawn,
+                                       .how = access::modify},
+                                      {.name = "pack_layers",
+                                       .files = packing,
+                                       .kind = step_kind::texels,
+                                       .writes = fills_packed_layers_counting,
+                                       .how = access::modify}};
+    static constexpr const glsl_file* files[] = {&linear_lists_glsl, &sided_layers_glsl, &packed_layers_glsl};
+    static constexpr part description{
+        .kind = role::depth_source,
+        .name = "linear_lists",
+        .summary = "all fragments in a bounded pool, those of a texel side by side; the nearest are sorted",
+        .source = "a-buffer-ssao 2013, IV.B",
+        .files = files,
+        .numbers = takes,
+        .resources = owns,
+        .steps = passes,
+        .offers = traits<depth_layers, layers_behind_front>::list,
+        .required_roles = required,
+    };
+};
+
+/// Depth source: all fragments, front and back faces told apart, side by side in a list for each texel, of
+/// which the `Layers` nearest are sorted for the taps. The host draws its geometry twice: the passes
+/// `count_fragments` and `capture_layers` must meet the same fragments, and between them prefix sums place
+/// the lists in a pool of `Nodes` for each texel; the nearest fragment of a texel needs none. What finds the
+/// pool full, those of the right columns first, and what is farther than the layers, is counted. The other
+/// numbers place the bindings and constants of both passes among those of the host's geometry pass.
+template <int Layers = 8, int Nodes = 8, int Set = 0, int FirstBinding = 0, int FirstConstant = 0>
+struct linear_lists : linear_lists_part {
+    static constexpr int numbers[] = {Layers, Nodes, Set, FirstBinding, FirstConstant};
+};
+
+}

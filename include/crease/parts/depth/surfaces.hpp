@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <crease/parts/depth/fragments.hpp>
+#include <crease/parts/output/octahedron.hpp>
+
+namespace crease {
+
+// Sources of lists where layers_with_opacity is needed: what they share beside sorting and fetching their own
+// fragments, `crease_fragments crease_sorted_fragments(ivec2 texel)` and
+// `uvec2 crease_fragment_surface(ivec2 texel, uint place)`.
+
+inline constexpr glsl_file encoding_surface_normal_glsl{
+    "encoding/surface_normal.glsl",
+#include <crease/encoding/surface_normal.glsl>
+};
+
+inline constexpr glsl_file surface_fragments_glsl{
+    "depth/surface_fragments.glsl",
+#include <crease/depth/surface_fragments.glsl>
+};
+
+inline constexpr glsl_file pack_surfaces_glsl{
+    "depth/pack_surfaces.glsl",
+#include <crease/depth/pack_surfaces.glsl>
+};
+
+inline constexpr glsl_file surface_layers_glsl{
+    "depth/surface_layers.glsl",
+#include <crease/depth/surface_layers.glsl>
+};
+
+/// As many as of the groups of depths.
+constexpr void shape_packed_opacities(resource& own, const shape_of& effect) {
+    own.layers = static_cast<unsigned>((effect.own.numbers[0] + 3) / 4);
+}
+
+/// The opacities of the packed layers, a byte each.
+inline constexpr resource packed_opacities{.name = "packed_opacities",
+                                           .texels = format::r32_uint,
+                                           .life = lifetime::transient,
+                                           .size = {.guarded = true},
+                                           .arrayed = true,
+                                           .read = access::load,
+                                           .shape = shape_packed_opacities};
+
+/// What receivers read of a layer: depth, which is negative of back faces, colour with opacity, and normal.
+inline constexpr resource layer_surfaces{.name = "layer_surfaces",
+                                         .texels = format::rgba32_uint,
+                                         .life = lifetime::transient,
+                                         .size = {.guarded = true},
+                                         .arrayed = true,
+                                         .read = access::load,
+                                         .shape = shape_fragment_layers};
+
+constexpr void shape_compressed_layers(resource& own, const shape_of& effect) {
+    own.layers = static_cast<unsigned>((effect.number_of(role::layer_compression, "nodes") + 3) / 4);
+}
+constexpr void shape_compressed_normals(resource& own, const shape_of& effect) {
+    shape_compressed_layers(own, effect);
+    own.layers *= 2;
+}
+
+/// What a layer compression keeps of a texel: depths and opacities in groups of four, and with
+/// `compressed_normals` their normals.
+inline constexpr resource compressed_layers{.name = "compressed_layers",
+                                            .texels = format::rgba32_uint,
+                                            .life = lifetime::transient,
+                                            .size = {.guarded = true},
+                                            .arrayed = true,
+                                            .read = access::load,
+                                            .shape = shape_compressed_layers};
+/// What receivers read beside these.
+inline constexpr resource compressed_normals{.name = "compressed_normals",
+                                             .texels = format::r32_uint,
+                                             .life = lifetime::transient,
+                                             .size = {.guarded = true},
+                                             .arrayed = true,
+                                             .read = access::load,
+                                             .shape = shape_compressed_normals};
+
+/// What the packing pass of a source of lists fills, with or without surfaces, compressed or not.
+inline constexpr std::string_view fills_surfaces_counting[] = {
+    "packed_layers",     "packed_opacities",   "layer_surfaces",
+    "compressed_layers", "compressed_normals", "fragments_beyond_layers"};
+
+/// The GLSL of such a source for all passes.
+inline constexpr const glsl_file* surface_files[] = {&surface_layers_glsl, &encoding_surface_normal_glsl,
+                                                     &encoding_octahedron_glsl};
+
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT-0
+#ifdef __cplusplus
+__LINE__, R"glsl("
+#endif
+
+// A pass reads one image and writes another, so the pictures of odd index have one and those of even index the other.
+uint crease_load_coarser(ivec2 texel, int level) { return crease_load_even_occlusion(texel, level).x; }
+
+void crease_keep_occlusion(ivec2 texel, uint occlusion) {
+    imageStore(crease_odd_occlusion, texel, uvec4(occlusion));
+}
+#ifdef __cplusplus
+")glsl"
+#endif

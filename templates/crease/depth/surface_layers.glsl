@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
+vec3 crease_view_position(vec2 texel, float depth);
+int crease_group_count();
+uvec2 crease_fragment_surface(ivec2 texel, uint place);
+crease_contribution crease_weigh(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer layer);
+crease_contribution crease_combine(crease_contribution a, crease_contribution b);
+crease_contribution crease_fade(crease_march march, crease_receiver receiver, crease_tap tap, crease_contribution contribution, float opacity);
+vec3 crease_unpack_surface_normal(uint word);
+#else
+__LINE__, R"glsl("
+#endif
+
+// Layers that tell front from back faces, and their opacity.
+struct crease_layer {
+    vec3 position;   // view space
+    float texels;    // it stands for: 1
+    float thickness; // crease_layer_thickness
+    float opacity;   // 0 to 1
+};
+
+crease_layer crease_layer_of(vec3 position) { return crease_layer(position, 1.0, -1.0, 1.0); }
+
+crease_layer crease_packed_layer(vec2 texel, float depth, float behind, float opacity) {
+    bool ends = behind < crease_background;
+    float thickness = depth < 0.0 ? 0.0 : ends ? max(-behind - depth, 0.0) : -1.0;
+    return crease_layer(crease_view_position(texel, abs(depth)), 1.0, thickness, opacity);
+}
+
+// Packed in groups of four, one per component: depths, which of back faces are negative, and opacities. A group is stored
+// where the one before it is full.
+struct crease_group {
+    vec4 depths;
+    uint opacities;
+};
+
+crease_group crease_load_group(vec2 texel, int group) {
+    ivec3 at = ivec3(texel, group);
+    return crease_group(crease_load_packed_layers(at), crease_load_packed_opacities(at).x);
+}
+
+// The first group; the others are fetched on demand.
+struct crease_layers {
+    vec2 texel;
+    crease_group first;
+};
+
+crease_layers crease_fetch_layers(vec2 texel) {
+    texel = crease_inside(texel) ? texel : crease_first_texel;
+    return crease_layers(texel, crease_load_group(texel, 0));
+}
+
+crease_layers crease_fetch_first_layers(vec2 texel) { return crease_fetch_layers(texel); }
+
+const crease_group crease_no_group = crease_group(vec4(crease_background), 0xffffffffu);
+
+crease_group crease_group_at(crease_layers layers, int group) {
+    if (group == 0)
+        return layers.first;
+    return group < crease_group_count() ? crease_load_group(layers.texel, group) : crease_no_group;
+}
+
+crease_layer crease_layer_of_group(vec2 texel, crease_group group, int i, float behind) {
+    return crease_packed_layer(texel, group.depths[i], behind, float(group.opacities >> uint(8 * i) & 255u) / 255.0);
+}
+
+int crease_layer_count(crease_layers layers) {
+    int count = 0;
+    while (count < crease_most_layers && crease_group_at(layers, count / 4).depths[count % 4] < crease_background)
+        ++count;
+    return max(count, 1);
+}
+
+crease_layer crease_layer_at(crease_layers layers, int i) {
+    crease_group group = crease_group_at(layers, i / 4);
+    float behind = i % 4 < 3 ? group.depths[i % 4 + 1] : crease_group_at(layers, i / 4 + 1).depths.x;
+    return crease_layer_of_group(layers.texel, group, i % 4, behind);
+}
+
+crease_contribution crease_weigh_faded(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer layer) {
+    return crease_fade(march, receiver, tap, crease_weigh(march, receiver, tap, layer), layer.opacity);
+}
+
+// The layers of a group are written out, which keeps it in registers.
+crease_contribution crease_combine_first_layers(crease_march march, crease_receiver receiver, crease_tap tap,
+                                                crease_layers layers) {
+    crease_group group = layers.first;
+    crease_contribution all = crease_weigh_faded(
+        march, receiver, tap, crease_layer_of_group(tap.texel, group, 0, group.depths.y));
+    for (int i = 0; i < crease_group_count() && group.depths.x < crease_background; ++i) {
+        crease_group next = crease_no_group;
+        if (group.depths.w < crease_background)
+            next = crease_group_at(layers, i + 1);
+        if (i > 0)
+            all = crease_combine(all, crease_weigh_faded(march, receiver, tap,
+                crease_layer_of_group(tap.texel, group, 0, group.depths.y)));
+        if (group.depths.y < crease_background)
+            all = crease_combine(all, crease_weigh_faded(march, receiver, tap,
+                crease_layer_of_group(tap.texel, group, 1, group.depths.z)));
+        if (group.depths.z < crease_background)
+            all = crease_combine(all, crease_weigh_faded(march, receiver, tap,
+                crease_layer_of_group(tap.texel, group, 2, group.depths.w)));
+        if (group.depths.w < crease_background)
+            all = crease_combine(all, crease_weigh_faded(march, receiver, tap,
+                crease_layer_of_group(tap.texel, group, 3, next.depths.x)));
+        group = next;
+    }
+    return all;
+}
+
+// A surface whose visibility is asked for.
+struct crease_surface {
+    float depth;  // crease_background: there is none, nor any behind it
+    vec3 normal;  // view space, unit, as the triangle faces
+    vec4 color;   // linear, its alpha the opacity
+};
+
+crease_surface crease_surface_at(ivec2 texel, int i) {
+    uvec4 own = crease_load_layer_surfaces(ivec3(texel, i));
+    return crease_surface(abs(uintBitsToFloat(own.x)), crease_unpack_surface_normal(own.z), unpackUnorm4x8(own.y));
+}
+
+// What taps read, and apart from that what receivers read.
+void crease_pack_fragments(ivec2 texel, crease_fragments sorted) {
+    crease_group group = crease_no_group;
+    bool there = true, is_stored = true;
+    crease_unroll for (int i = 0; i < crease_most_surfaces; ++i) {
+        if (i % 4 == 0) {
+            group = crease_no_group;
+            is_stored = there;
+        }
+        float depth = uintBitsToFloat(sorted.keys[i] >> 1);
+        bool ends = !(sorted.keys[i] != crease_no_fragment && depth < crease_background);
+        uvec2 surface = ends ? uvec2(0xff000000u, 0u) : crease_fragment_surface(texel, sorted.places[i]);
+        depth = ends ? crease_background : (sorted.keys[i] & 1u) == 0u ? depth : -depth;
+        if (there)
+            imageStore(crease_layer_surfaces, ivec3(texel, i), uvec4(floatBitsToUint(depth), surface, 0u));
+        group.depths[i % 4] = depth;
+        group.opacities = group.opacities & ~(255u << uint(8 * (i % 4))) | surface.x >> 24u << uint(8 * (i % 4));
+        if (is_stored && (i % 4 == 3 || i + 1 == crease_most_surfaces)) {
+            imageStore(crease_packed_layers, ivec3(texel, i / 4), group.depths);
+            imageStore(crease_packed_opacities, ivec3(texel, i / 4), uvec4(group.opacities));
+        }
+        there = there && !ends;
+    }
+}
+#ifdef __cplusplus
+")glsl"
+#endif

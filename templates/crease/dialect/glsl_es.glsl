@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT-0
+#ifdef __cplusplus
+__LINE__, R"glsl("
+#endif
+
+// GLSL ES begins no global with what is uniform, so that what runs first sets it.
+crease_view_parameters crease_view; // of the camera at work
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// The page in headless Chromium: its pictures against those of the crease command, and what a visitor does.
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import {existsSync, mkdtempSync, rmSync, writeFileSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+import {after, afterEach, before, beforeEach, test} from 'node:test';
+import {pathToFileURL} from 'node:url';
+
+import {read_pfm} from '../../web/bake/pfm.mjs';
+import {views} from '../../web/bake/scenes.mjs';
+import {serve} from '../../web/serve.mjs';
+
+const {CHROMIUM, CREASE, MODULES, SITE} = process.env;
+const needed = [CHROMIUM, join(MODULES, 'playwright-core')].find((path) => !existsSync(path));
+if (needed !== undefined) {
+    console.log(`skipped: ${needed || 'chromium'} is missing`);
+    process.exit(77);
+}
+const {chromium} = (await import(pathToFileURL(join(MODULES, 'playwright-core/index.js')))).default;
+const folder = mkdtempSync(join(tmpdir(), 'crease-playground-'));
+let server, address, browser, page, messages;
+
+before(async () => {
+    ({server, address} = await serve(SITE));
+    browser = await chromium.launch({executablePath: CHROMIUM, args: ['--no-sandbox']});
+});
+
+after(async () => {
+    await browser?.close();
+    server?.close();
+    rmSync(folder, {recursive: true, force: true});
+});
+
+beforeEach(async () => {
+    messages = [];
+    page = await browser.newPage({viewport: {width: 1280, height: 1400}});
+    page.on('pageerror', (error) => messages.push(error.message));
+    page.on('console', (message) => {
+        if (!/GPU stall due to ReadPixels/.test(message.text())) // how a headless browser shows a canvas
+            messages.push(message.text());
+    });
+});
+
+afterEach(async () => {
+    await page.close();
+    assert.deepEqual(messages, []);
+});
+
+async function open(fragment = '') {
+    await page.goto(`${address}index.html${fragment && `#${fragment}`}`);
+    await page.waitForFunction(() => document.body.dataset.drawn || document.getElementById('refusal').textContent);
+}
+
+function drawn(recipe) {
+    return page.waitForFunction((expected) => document.body.dataset.drawn === expected, recipe);
+}
+
+function text_of(id) {
+    return page.locator(`#${id}`).textContent();
+}
+
+async function visibility() {
+    return page.evaluate(async () => Array.from(await globalThis.playground.stage.visibility()));
+}
+
+/** What the command renders of the courtyard. */
+function rendered(recipe, ...more) {
+    const {camera} = views[0];
+    const cameras = join(folder, 'cameras.json');
+    writeFileSync(cameras, JSON.stringify([camera]));
+    execFileSync(CREASE, ['render', 'built-in', '--cameras', cameras, '--recipe', `${recipe}/linear_depth`, ...more, '-o', folder],
+                 {stdio: 'ignore'});
+    return read_pfm(join(folder, 'ao.pfm')).texels;
+}
+
+function apart(picture, expected) {
+    assert.equal(picture.length, expected.length);
+    let sum = 0, off = 0;
+    picture.forEach((value, i) => {
+        const difference = Math.abs(value - expected[i]);
+        sum += difference;
+        off += difference > 0.99 / 255 ? 1 : 0;
+    });
+    return {mean: sum / picture.length, share: off / picture.length};
+}
+
+for (const recipe of [
+    'directions:4x4/single_layer/hbao/bilateral',
+    'directions:4x4/single_layer/hbao/reconstructed_normals/r32f',
+    'hemisphere_points/single_layer/ssao/blue_noise',
+    'slices/single_layer/gtao',
+    'box_window:7/single_layer/unsharp_mask',
+])
+    test(`WebGL 2 gives the picture of the command: ${recipe}`, async () => {
+        await open(`recipe=${recipe}`);
+        await drawn(recipe);
+        const {mean, share} = apart(await visibility(), rendered(recipe));
+        assert.ok(mean <= 1e-4 && share <= 0.01, `mean ${mean}, share ${share}`);
+    });
+
+test('a preset gives the picture of the command but where a sector of its bitmask tips on the last bit', async () => {
+    await open('recipe=preset:medium/r32f');
+    await drawn('preset:medium/r32f');
+    const {mean, share} = apart(await visibility(), rendered('preset:medium/r32f'));
+    assert.ok(mean <= 3e-4 && share <= 0.01, `mean ${mean}, share ${share}`);
+});
+
+test('the figures are those of crease compare', async () => {
+    await open('recipe=directions:4x4/single_layer/hbao/bilateral');
+    await page.waitForFunction(() => document.getElementById('ssim-linear').textContent !== '–');
+    const shown = await Promise.all(['rmse-hard', 'ssim-hard', 'rmse-linear', 'ssim-linear'].map(async (id) => Number(await text_of(id))));
+    const {counts, truths, test: made, width} = await page.evaluate(async () => {
+        const {stage} = globalThis.playground;
+        return {counts: Array.from(stage.counts), truths: Object.fromEntries(Object.entries(stage.truths).map(([kind, all]) => [kind, Array.from(all)])),
+                test: Array.from(await stage.visibility()), width: stage.width};
+    });
+    const write = (name, texels) => {
+        const height = texels.length / width, rows = new Float32Array(texels.length);
+        for (let y = 0; y < height; ++y)
+            rows.set(texels.slice((height - 1 - y) * width, (height - y) * width), y * width);
+        writeFileSync(join(folder, name), Buffer.concat([Buffer.from(`Pf\n${width} ${height}\n-1\n`), Buffer.from(rows.buffer)]));
+        return join(folder, name);
+    };
+    const measured = ['hard', 'linear'].flatMap((kind) => {
+        const said = JSON.parse(execFileSync(CREASE, ['compare', write('test.pfm', made), write('truth.pfm', truths[kind]),
+            '--depth', write('depth.pfm', counts.map((is) => (is ? 1 : 100))), '--far', '100', '--json'], {encoding: 'utf8'}));
+        return [said.rmse, said.ssim];
+    });
+    measured.forEach((value, i) => assert.ok(Math.abs(value - shown[i]) < 1e-4, `${value} and ${shown[i]}`));
+});
+
+test('a slider changes the picture, the figures and the link, and the link brings it back', async () => {
+    await open('recipe=directions:4x4/single_layer/hbao');
+    await page.waitForFunction(() => document.getElementById('rmse-linear').textContent !== '–');
+    const before_change = await text_of('rmse-linear');
+    await page.locator('#settings .number', {hasText: 'strength'}).locator('input[type=number]').fill('2');
+    await page.keyboard.press('Tab');
+    await page.waitForFunction((old) => document.getElementById('rmse-linear').textContent !== old, before_change);
+    await page.getByLabel('count', {exact: true}).first().focus();
+    await page.keyboard.press('ArrowRight');
+    await page.waitForFunction(() => document.body.dataset.drawn?.startsWith('directions:5x4'));
+    await page.locator('#split').fill('0.25');
+    const link = page.url();
+    const picture = await visibility();
+    assert.match(link, /recipe=directions:5x4x2\/single_layer\/hbao/);
+    assert.match(link, /set\.strength=2/);
+    assert.match(link, /split=0\.25/);
+    await page.goto('about:blank');
+    await page.goto(link);
+    await drawn('directions:5x4x2/single_layer/hbao');
+    assert.deepEqual(await visibility(), picture);
+    assert.equal(await page.locator('#split').inputValue(), '0.25');
+});
+
+test('what does not fit is refused in the sentence of the command, and the picture stays', async () => {
+    await open('recipe=directions:4x4/single_layer/hbao');
+    await drawn('directions:4x4/single_layer/hbao');
+    const picture = await visibility();
+    for (const recipe of ['directions/single_layer/ssao', 'nobody', 'directions/depth_pyramid/hbao']) {
+        await page.locator('#recipe').fill(recipe);
+        await page.keyboard.press('Enter');
+        const sentence = await text_of('refusal');
+        const command = recipe.includes('pyramid') ? ['--stage', 'fragment', '--dialect', 'glsl_es:300'] : [];
+        assert.throws(() => execFileSync(CREASE, ['emit', recipe, ...command, '-o', folder], {stdio: 'pipe'}),
+                      ({stderr}) => stderr.toString().includes(sentence.replace(/ \(.*$/, '')), sentence);
+        assert.notEqual(sentence, '');
+    }
+    assert.deepEqual(await visibility(), picture);
+    await page.locator('#recipe').fill('directions:4x4/single_layer/hbao/bilateral');
+    await page.keyboard.press('Enter');
+    await drawn('directions:4x4/single_layer/hbao/bilateral');
+    assert.equal(await text_of('refusal'), '');
+});
+
+test('each entry of the menus makes a recipe that is drawn, by the keyboard alone', async () => {
+    await open('recipe=directions:4x4/single_layer/hbao');
+    const estimators = await page.locator('#menu-estimator option').evaluateAll((all) => all.map(({value}) => value));
+    assert.ok(estimators.length >= 8, estimators.join());
+    for (const name of estimators) {
+        await page.locator('#menu-estimator').selectOption(name);
+        await page.waitForFunction((wanted) => document.body.dataset.drawn?.split('/')[2].startsWith(wanted), name);
+        assert.equal(await text_of('refusal'), '');
+    }
+});
+
+test('the text is that of the command, in the language that is chosen', async () => {
+    await open('recipe=preset:medium');
+    await drawn('preset:medium');
+    execFileSync(CREASE, ['emit', 'preset:medium', '-o', folder], {stdio: 'ignore'});
+    const {readFileSync} = await import('node:fs');
+    assert.equal(await text_of('text'), readFileSync(join(folder, '0_visibility.comp'), 'utf8'));
+    await page.locator('#language').selectOption('es');
+    await page.waitForFunction(() => document.getElementById('text').textContent.includes('#version 300 es'));
+});
+
+test('the camera turns', async () => {
+    await open('recipe=directions:4x4/single_layer/hbao&orbit=0,0,1');
+    await drawn('directions:4x4/single_layer/hbao');
+    const picture = await visibility();
+    const {mean} = apart(picture, rendered('directions:4x4/single_layer/hbao'));
+    assert.ok(mean < 0.01, `the scene as the page draws it: mean ${mean}`);
+    await page.locator('#picture').focus();
+    await page.keyboard.press('ArrowLeft');
+    await page.waitForTimeout(300);
+    const turned = await visibility();
+    assert.ok(apart(turned, picture).mean > 0.01);
+    assert.match(page.url(), /orbit=-0\.1,0,1/);
+    assert.equal(await text_of('rmse-hard'), '–');
+});
+
+test('the first picture comes soon, of less than 3 MB', async () => {
+    let bytes = 0;
+    page.on('response', async (response) => (bytes += (await response.body().catch(() => '')).length));
+    const begin = performance.now();
+    await open();
+    const seconds = (performance.now() - begin) / 1000;
+    assert.ok(bytes < 3e6, `${bytes} bytes`);
+    console.log(`# first picture after ${seconds.toFixed(2)} s, ${(bytes / 1e6).toFixed(2)} MB`);
+});
+
+test('every control has a name, and a phone needs no sideways scrolling', async () => {
+    await page.setViewportSize({width: 360, height: 800});
+    await open();
+    const nameless = await page.locator('input, select, button').evaluateAll((all) =>
+        all.filter((each) => !each.labels?.length && !each.getAttribute('aria-label') && !each.textContent.trim()).map(({outerHTML}) => outerHTML));
+    assert.deepEqual(nameless, []);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+});

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Makes the playground: bake.mjs --crease COMMAND --mesh PROGRAM --package FOLDER --output FOLDER
+//                                [--rays N] [--views A,B] [--width N --height N of what the gallery measures]
+import {cpSync, mkdtempSync, rmSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+import {fileURLToPath, pathToFileURL} from 'node:url';
+import {parseArgs} from 'node:util';
+
+import {bake_gallery} from './gallery.mjs';
+import {bake_texts} from './texts.mjs';
+import {bake_views} from './views.mjs';
+
+const {values: options} = parseArgs({
+    options: {
+        crease: {type: 'string'},
+        mesh: {type: 'string'},
+        package: {type: 'string'},
+        output: {type: 'string'},
+        rays: {type: 'string', default: '256'},
+        views: {type: 'string', default: ''},
+        width: {type: 'string', default: '640'},
+        height: {type: 'string', default: '360'},
+    },
+});
+const {crease: command, mesh, output: folder} = options;
+const rays = Number(options.rays);
+const beside = (name) => fileURLToPath(new URL(name, import.meta.url));
+const scratch = mkdtempSync(join(tmpdir(), 'crease-bake-'));
+try {
+    cpSync(beside('../site'), folder, {recursive: true});
+    cpSync(options.package, join(folder, 'package'), {recursive: true});
+    const {load} = await import(pathToFileURL(join(folder, 'package/crease.js')));
+    const crease = await load();
+    bake_views({command, mesh, folder: join(folder, 'views'), scratch, names: options.views.split(',').filter(Boolean), rays});
+    bake_gallery({command, crease, folder, scratch, template: beside('gallery.html'), rays,
+                  width: Number(options.width), height: Number(options.height)});
+    bake_texts({command, crease, folder, scratch});
+} finally {
+    rmSync(scratch, {recursive: true, force: true});
+}

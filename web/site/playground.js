@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+// The page: state goes to the stage, and what is changed on the page goes to the state.
+import {load, RecipeError} from './package/crease.js';
+
+import {measure} from './clock.js';
+import {by_id, element} from './dom.js';
+import {rmse, ssim} from './measures.js';
+import {Menus} from './menus.js';
+import {Recipes} from './recipe.js';
+import {settings_of, show_settings} from './settings.js';
+import {Stage} from './stage.js';
+import {fragment_of, read_state} from './state.js';
+import {Texts} from './texts.js';
+import {list_of_views} from './views.js';
+
+/** What the page adds to each recipe: its G-buffers hold linear depth, and WebGL 2 runs fragment shaders. */
+const host = ['linear_depth', 'fragment', 'glsl_es:300'];
+const host_roles = ['depth encoding', 'stage', 'dialect'];
+
+/** What the images of a view hold, in the words of manifests. */
+const inputs = {depth: 'linear_depth', normal: 'view_normals'};
+
+class Playground {
+    #frame = 0; // that is requested; 0: none
+    #runs = 0;
+    #clock = 0;
+
+    constructor(crease, views) {
+        Object.assign(this, {crease, views});
+        this.stage = new Stage(by_id('picture'), crease);
+        this.recipes = new Recipes(crease, host.join('/'));
+        this.texts = new Texts(crease);
+        this.menus = new Menus(this.recipes, by_id('menus'), (words, {keep_menus} = {}) => this.#change(words, keep_menus));
+        by_id('version').textContent = crease.version;
+        by_id('preset').append(...crease.presets.map(({name, summary}) =>
+            element('option', {value: `preset:${name}`, title: summary, disabled: this.#reason(`preset:${name}`) !== ''}, name)));
+        by_id('view').append(...views.map(({name, title}) => element('option', {value: name}, title)));
+        this.#listen();
+    }
+
+    /** The words of a recipe without those that the page decides. Throws a RecipeError. */
+    #words(recipe) {
+        return this.crease.compose(recipe).recipe.split('/').filter((word) => !host_roles.includes(this.recipes.role_of(word)));
+    }
+
+    /** Why the page does not show a recipe; "" where it does. */
+    #reason(recipe) {
+        try {
+            const refused = this.recipes.refusal(this.#words(recipe));
+            if (refused)
+                return refused;
+        } catch (error) {
+            if (error instanceof RecipeError)
+                return error.message;
+            throw error;
+        }
+        const {resources, parts} = this.crease.compose(this.recipes.hosted(this.#words(recipe)));
+        const missing = resources.find(({name, kind, lifetime, content}) =>
+            kind === 'image' && lifetime === 'input' && inputs[name] !== content);
+        if (missing)
+            return `this page has no input '${missing.name}' that holds ${missing.content || 'what it needs'}`;
+        return parts.some(({name}) => name === 'orthographic') ? 'the cameras of this page are perspective' : '';
+    }
+
+    /** Shows what the address holds. */
+    async restore() {
+        this.state = read_state(location.hash);
+        const view = this.views.find(({name}) => name === this.state.view) ?? this.views[0];
+        this.state.view = view.name;
+        for (const id of ['view', 'truth', 'split', 'beside'])
+            by_id(id).value = this.state[id];
+        by_id('orbit').checked = this.state.orbit !== null;
+        if (this.stage.view !== view)
+            await this.stage.set_view(view);
+        await this.stage.set_orbit(this.state.orbit);
+        this.effect_recipe = null;
+        await this.#compose();
+    }
+
+    #change(words, keep_menus) {
+        this.state.recipe = words.join('/');
+        this.#compose(keep_menus);
+    }
+
+    /** Shows the recipe of the state, or why it cannot be shown. */
+    async #compose(keep_menus = false) {
+        const {state} = this;
+        by_id('recipe').value = state.recipe;
+        const preset = by_id('preset');
+        preset.value = [...preset.options].some(({value}) => value === state.recipe) ? state.recipe : '';
+        const reason = this.#reason(state.recipe);
+        by_id('refusal').textContent = reason;
+        by_id('recipe').setAttribute('aria-invalid', `${reason !== ''}`);
+        this.#remember();
+        if (reason)
+            return;
+        const words = this.#words(state.recipe);
+        const begin = performance.now();
+        const effect = this.crease.compose(this.recipes.hosted(words));
+        const composing = performance.now() - begin;
+        try {
+            this.stage.set_effect(effect);
+        } catch (error) {
+            by_id('refusal').textContent = error.message;
+            return;
+        }
+        by_id('composing').textContent = composing.toFixed(1);
+        const known = new Set(settings_of(effect).map(({name}) => name));
+        state.settings = Object.fromEntries(Object.entries(state.settings).filter(([name]) => known.has(name)));
+        if (!keep_menus) {
+            this.menus.show(words, effect.parts);
+            this.#show_settings(effect);
+        }
+        await Promise.all([this.#run(), this.texts.show(state.recipe)]);
+    }
+
+    #show_settings(effect) {
+        const {camera} = this.stage.view;
+        show_settings(by_id('settings'), effect, {
+            radius: this.radius,
+            recommended_radius: camera.ao_radius,
+            values: this.state.settings,
+            on_radius: (value) => this.#set(() => (this.state.radius = value)),
+            on_setting: (name, value) => this.#set(() => (this.state.settings[name] = value)),
+        });
+    }
+
+    get radius() {
+        return this.state.radius ?? this.stage.view.camera.ao_radius;
+    }
+
+    #set(change) {
+        change();
+        this.#remember();
+        this.#next_frame();
+    }
+
+    /** At most one frame of the screen runs the effect once. */
+    #next_frame() {
+        this.#frame ||= requestAnimationFrame(() => {
+            this.#frame = 0;
+            this.#run();
+        });
+    }
+
+    /** Draws, and then measures what is still shown. */
+    async #run() {
+        const {stage, state} = this;
+        const run = ++this.#runs;
+        stage.run({radius: this.radius, settings: state.settings});
+        this.#draw();
+        document.body.dataset.drawn = state.recipe;
+        if (stage.orbit) {
+            for (const id of ['rmse-hard', 'rmse-linear', 'ssim-hard', 'ssim-linear'])
+                by_id(id).textContent = '–'; // the camera has no truth
+        } else {
+            const visibility = await stage.visibility();
+            for (const kind of ['hard', 'linear'])
+                this.#measure_errors(kind, visibility, await stage.truth(kind));
+            if (run === this.#runs)
+                this.#draw();
+        }
+        clearTimeout(this.#clock);
+        this.#clock = setTimeout(() => this.#measure_time(), 300);
+    }
+
+    #draw() {
+        this.stage.draw(this.state);
+        const compared = !this.stage.orbit && this.state.beside !== 'nothing';
+        by_id('beside-name').textContent = compared ? by_id('beside').selectedOptions[0]?.textContent ?? '' : '';
+    }
+
+    #measure_errors(kind, visibility, truth) {
+        const {counts, width, height} = this.stage;
+        by_id(`rmse-${kind}`).textContent = rmse(visibility, truth, counts).toFixed(4);
+        by_id(`ssim-${kind}`).textContent = ssim(visibility, truth, counts, width, height).toFixed(4);
+    }
+
+    async #measure_time() {
+        const {stage} = this;
+        const {milliseconds, how} = await measure(stage.gl, () => stage.effect.run());
+        by_id('milliseconds').textContent = milliseconds.toFixed(2);
+        by_id('milliseconds').title = how;
+    }
+
+    #remember() {
+        history.replaceState(null, '', fragment_of(this.state));
+    }
+
+    #listen() {
+        const redraw = () => {
+            this.#remember();
+            this.#draw();
+        };
+        by_id('split').addEventListener('input', ({target}) => {
+            this.state.split = Number(target.value);
+            redraw();
+        });
+        for (const id of ['beside', 'truth'])
+            by_id(id).addEventListener('change', ({target}) => {
+                this.state[id] = target.value;
+                redraw();
+            });
+        by_id('preset').addEventListener('change', ({target}) => this.#change([target.value]));
+        by_id('recipe-form').addEventListener('submit', (event) => {
+            event.preventDefault();
+            this.#change([by_id('recipe').value.trim()]);
+        });
+        by_id('view').addEventListener('change', async ({target}) => {
+            Object.assign(this.state, {view: target.value, radius: null});
+            this.#remember();
+            await this.restore();
+        });
+        by_id('orbit').addEventListener('change', async ({target}) => {
+            this.state.orbit = target.checked ? [0, 0, 1] : null;
+            this.#remember();
+            await this.stage.set_orbit(this.state.orbit);
+            this.#next_frame();
+        });
+        by_id('link').addEventListener('click', async () => {
+            const done = await navigator.clipboard.writeText(location.href).then(() => 'Copied', () => 'The address holds it');
+            by_id('link-copied').textContent = done;
+            setTimeout(() => (by_id('link-copied').textContent = ''), 3000);
+        });
+        addEventListener('hashchange', () => this.restore());
+        this.#listen_to_moves();
+    }
+
+    /** Dragging and keys turn the camera, the wheel moves it. */
+    #listen_to_moves() {
+        const canvas = by_id('picture');
+        const turn = (across, up, distance) => {
+            const {orbit} = this.stage;
+            if (!orbit)
+                return;
+            const rounded = (number) => Math.round(number * 1000) / 1000;
+            this.#set(() => {
+                this.state.orbit = [orbit[0] + across, orbit[1] + up, Math.min(Math.max(orbit[2] * distance, 0.2), 4)].map(rounded);
+                this.stage.orbit = this.state.orbit;
+            });
+        };
+        canvas.addEventListener('pointerdown', ({pointerId}) => canvas.setPointerCapture(pointerId));
+        canvas.addEventListener('pointermove', ({buttons, movementX, movementY}) => {
+            if (buttons & 1)
+                turn(-movementX * 0.005, movementY * 0.005, 1);
+        });
+        canvas.addEventListener('wheel', (event) => {
+            if (!this.stage.orbit)
+                return;
+            event.preventDefault();
+            turn(0, 0, Math.exp(event.deltaY * 0.001));
+        }, {passive: false});
+        const keys = {ArrowLeft: [-0.1, 0, 1], ArrowRight: [0.1, 0, 1], ArrowUp: [0, 0.1, 1], ArrowDown: [0, -0.1, 1], '+': [0, 0, 0.9], '-': [0, 0, 1.1]};
+        canvas.addEventListener('keydown', (event) => {
+            if (!this.stage.orbit || !(event.key in keys))
+                return;
+            event.preventDefault();
+            turn(...keys[event.key]);
+        });
+    }
+}
+
+try {
+    const [crease, views] = await Promise.all([load(), list_of_views()]);
+    globalThis.playground = new Playground(crease, views); // for the console and the tests
+    await globalThis.playground.restore();
+} catch (error) {
+    by_id('refusal').textContent = error.message;
+    throw error;
+}
