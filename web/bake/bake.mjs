@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Makes the playground: bake.mjs --crease COMMAND --mesh PROGRAM --package FOLDER --output FOLDER
-//                                [--rays N] [--views A,B] [--width N --height N of what the gallery measures]
+//                                [--rays N] [--views A,B of them] [--families N of them]
 import {cpSync, mkdtempSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
@@ -19,8 +19,7 @@ const {values: options} = parseArgs({
         output: {type: 'string'},
         rays: {type: 'string', default: '256'},
         views: {type: 'string', default: ''},
-        width: {type: 'string', default: '640'},
-        height: {type: 'string', default: '360'},
+        families: {type: 'string', default: 'Infinity'},
     },
 });
 const {crease: command, mesh, output: folder} = options;
@@ -33,8 +32,7 @@ try {
     const {load} = await import(pathToFileURL(join(folder, 'package/crease.js')));
     const crease = await load();
     bake_views({command, mesh, folder: join(folder, 'views'), scratch, names: options.views.split(',').filter(Boolean), rays});
-    bake_gallery({command, crease, folder, scratch, template: beside('gallery.html'), rays,
-                  width: Number(options.width), height: Number(options.height)});
+    bake_gallery({command, crease, folder, scratch, template: beside('gallery.html'), rays, count: Number(options.families)});
     bake_texts({command, crease, folder, scratch});
 } finally {
     rmSync(scratch, {recursive: true, force: true});

@@ -4,7 +4,7 @@ import {execFileSync} from 'node:child_process';
 import {copyFileSync, mkdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 
-import {families} from './families.mjs';
+import {families as all_families} from './families.mjs';
 import {plot} from './plot.mjs';
 
 function escaped(text) {
@@ -12,11 +12,11 @@ function escaped(text) {
 }
 
 /** The rows of `crease bench` for the recipes of the families, over the first view of the built-in scene. */
-function measured(command, {rays, truths, width, height}) {
-    const said = execFileSync(command, ['bench', 'built-in', '--cameras', 'overview', '--json', '--width', `${width}`, '--height', `${height}`,
-        '--rays', `${rays}`, '--repeats', '3', '--truths', truths, ...families.flatMap(({recipe}) => ['--recipes', recipe])],
-        {encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore']});
-    return JSON.parse(said);
+function measured(command, families, {rays, truths}) {
+    const view = ['built-in', '--cameras', 'overview', '--width', '640', '--height', '360', '--rays', `${rays}`, '--truths', truths];
+    const recipes = families.flatMap(({recipe}) => ['--recipes', recipe]);
+    return JSON.parse(execFileSync(command, ['bench', ...view, '--repeats', '3', '--json', ...recipes],
+                                   {encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore']}));
 }
 
 function entry(family, row, {crease, name}) {
@@ -39,9 +39,10 @@ function entry(family, row, {crease, name}) {
 }
 
 /** Writes gallery.html and its pictures, and the benchmark that it tells of as JSON. */
-export function bake_gallery({command, crease, folder, scratch, template, rays, width, height}) {
+export function bake_gallery({command, crease, folder, scratch, template, rays, count}) {
     mkdirSync(join(folder, 'gallery'), {recursive: true});
-    const bench = measured(command, {rays, truths: join(scratch, 'truths'), width, height});
+    const families = all_families.slice(0, count);
+    const bench = measured(command, families, {rays, truths: join(scratch, 'truths')});
     writeFileSync(join(folder, 'gallery/bench.json'), JSON.stringify(bench, null, 2));
     const entries = families.map((family, i) => ({...family, name: family.title.toLowerCase().replace(/\W+/g, '_'), row: bench.recipes[i]}));
     for (const {name, recipe} of entries) {

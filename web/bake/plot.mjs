@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Error against cost as SVG. Each point is a link to its picture.
 
-const width = 720, height = 420, left = 56, right = 150, top = 16, bottom = 46;
+const width = 720, height = 420, left = 56, right = 110, top = 16, bottom = 46;
 
 function escaped(text) {
     return `${text}`.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
