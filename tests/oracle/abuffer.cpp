@@ -167,7 +167,9 @@ fragment_capture::fragment_capture(const std::string& recipe, unsigned width, un
             each.clear = width * height * pool->layers - *free_nodes;
         }
         if (free_nodes && each.name == "list_nodes" && !are_linked) {
-            each.size = {.fixed_width = *free_nodes, .fixed_height = 1};
+            // With surfaces the nearest of each texel has a node too.
+            const unsigned own = captures_surfaces(effect) ? width * height : 0;
+            each.size = {.fixed_width = own + *free_nodes, .fixed_height = 1};
             each.layers = 1;
         }
         if (rubbish && each.life == crease::lifetime::transient && !each.cleared) {
