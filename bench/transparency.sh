@@ -35,8 +35,7 @@ while read -r name layers; do
     recipe=$taps/$(echo "$layers" | sed "s/LISTS/$lists/; s,ESTIMATOR,$weighed,")/$filtered
     row "$@"
 done <<END
-whole LISTS/ESTIMATOR/every_layer/composite
-separated LISTS/ESTIMATOR/every_layer/composite:1
+whole LISTS/ESTIMATOR/every_layer
 single single_layer/ESTIMATOR
 first LISTS/ESTIMATOR
 nearest linked_lists:4x16/ESTIMATOR/every_layer
@@ -45,4 +44,9 @@ compressed_half LISTS/ESTIMATOR/every_layer/compressed:4x1
 compressed_eight LISTS/ESTIMATOR/every_layer/compressed:8
 compressed_occluders LISTS/ESTIMATOR/every_layer/compressed_occluders:4
 END
-printf 'Colours, integrated and separated: RMSE %s\n' "$(difference "$out/separated/color.pfm" "$out/whole/color.pfm")"
+# Without filters, which only one of the two has of its colours.
+for merged in composite composite:1; do
+    "$crease" render "$scene" --camera "$camera" "$@" -o "$out/$merged" --guard "${GUARD:-64}" >/dev/null 2>&1 \
+        --recipe "half_directions:4x8/$lists/$weighed/every_layer/$merged"
+done
+printf 'Colours, integrated and separated: RMSE %s\n' "$(difference "$out/composite:1/color.pfm" "$out/composite/color.pfm")"
