@@ -28,6 +28,7 @@
 #include <crease/parts/dialect/glsl_es.hpp>
 #include <crease/parts/dialect/opengl.hpp>
 #include <crease/parts/dialect/vulkan.hpp>
+#include <crease/parts/dialect/webgpu.hpp>
 #include <crease/parts/estimator/cosine_bitmask.hpp>
 #include <crease/parts/estimator/gtao.hpp>
 #include <crease/parts/estimator/hbao.hpp>
@@ -200,6 +201,7 @@ inline constexpr const part* all_parts[] = {
     &vulkan_glsl::description,
     &opengl_glsl::description,
     &glsl_es_part::description,
+    &webgpu_glsl::description,
 };
 
 }
