@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 include_guard()
 
-# crease_add_shader(<target> [RECIPE] <recipe> [STAGE compute|fragment] [DIALECT vulkan|opengl|glsl_es:300|glsl_es:310]
+# crease_add_shader(<target> [RECIPE] <recipe> [STAGE compute|fragment] [DIALECT vulkan|opengl|glsl_es:300|glsl_es:310|webgpu]
 #                   [SHAPE program|functions] [FORMAT header|spirv|spirv-asm|glsl] [NAME <name>]
 #                   [TARGET hlsl|msl|glsl-es|glsl|spirv] [TARGET_VERSION <version>]
 #                   [OPTIMISE speed|size] [STRIP] [TARGET_ENV vulkan1.0|vulkan1.1|vulkan1.2|vulkan1.3])
@@ -42,10 +42,10 @@ function(crease_add_shader target)
     endif()
     crease_check_name(${target} "${arg_NAME}")
     set(STAGE_words compute fragment)
-    set(DIALECT_words vulkan opengl glsl_es:300 glsl_es:310)
+    set(DIALECT_words vulkan opengl glsl_es:300 glsl_es:310 webgpu)
     set(SHAPE_words program functions)
     set(FORMAT_words header spirv spirv-asm glsl)
-    set(TARGET_words hlsl msl glsl-es glsl spirv)
+    set(TARGET_words hlsl msl glsl-es glsl wgsl spirv)
     set(OPTIMISE_words speed size)
     set(TARGET_ENV_words vulkan1.0 vulkan1.1 vulkan1.2 vulkan1.3)
     set(options "")

@@ -18,6 +18,7 @@ CREASE_SAME(CREASE_STAGE_GEOMETRY, stage_kind::geometry);
 CREASE_SAME(CREASE_DIALECT_VULKAN, dialect_kind::vulkan);
 CREASE_SAME(CREASE_DIALECT_OPENGL, dialect_kind::opengl);
 CREASE_SAME(CREASE_DIALECT_GLSL_ES, dialect_kind::glsl_es);
+CREASE_SAME(CREASE_DIALECT_WEBGPU, dialect_kind::webgpu);
 CREASE_SAME(CREASE_DISPATCH_TEXELS, dispatch::texels);
 CREASE_SAME(CREASE_DISPATCH_ROWS, dispatch::rows);
 CREASE_SAME(CREASE_DISPATCH_COLUMNS, dispatch::columns);

@@ -37,11 +37,11 @@ std::string cameras_with(const std::string& fields) {
 }
 
 TEST_CASE("refuses: recipes") {
-    expect_refusal(failure, "no part of the name 'nothing'", "emit nothing/single_layer/hbao");
-    expect_refusal(failure, "needs taps in order along directions", "emit poisson_disk/single_layer/hbao");
-    expect_refusal(failure, "can be emitted of programs in the vulkan dialect only",
+    expect_refusal(usage, "no part of the name 'nothing'", "emit nothing/single_layer/hbao");
+    expect_refusal(usage, "needs taps in order along directions", "emit poisson_disk/single_layer/hbao");
+    expect_refusal(usage, "can be emitted of programs in the vulkan dialect only",
                    "emit directions/single_layer/hbao --dialect opengl --format spirv");
-    expect_refusal(failure, "'1a' is no C++ identifier",
+    expect_refusal(usage, "'1a' is no C++ identifier",
                    "emit directions/single_layer/hbao --format header --name 1a");
     expect_refusal(usage, "no part of the name 'nothing'",
                    "render built-in --recipe nothing/single_layer/hbao");

@@ -1,4 +1,4 @@
-// crease::effect: GLSL ES reads and writes no image of several numbers in place, as a part does
+// crease::effect: GLSL ES and WebGPU change no image of several numbers in place, as a part does
 // (n_buffer, glsl_es)
 // box_area/n_buffer/unsharp_mask/glsl_es:310
 // SPDX-License-Identifier: MIT

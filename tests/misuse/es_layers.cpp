@@ -1,4 +1,4 @@
-// crease::effect: GLSL ES has no way to capture layers, which a part needs
+// crease::effect: GLSL ES and WebGPU have no way to capture layers, which a part needs
 // (multisampled, glsl_es)
 // directions/stochastic_layers/hbao/multisampled/glsl_es:310
 // SPDX-License-Identifier: MIT

@@ -60,7 +60,9 @@ public:
     /// @param rubbish     bits with which all is filled, before each frame, that an effect need not clear
     fragment_capture(const std::string& recipe, unsigned width, unsigned height,
                      lens seen_by = lens::standard, std::string_view last = "pack_layers",
-                     std::optional<unsigned> free_nodes = {}, std::optional<std::uint32_t> rubbish = {});
+                     std::optional<unsigned> free_nodes = {},
+                     std::string_view normals = "reconstructed_normals",
+                     std::optional<std::uint32_t> rubbish = {});
 
     /// @param colors  of the triangles, in turn, where the effect captures surfaces
     void draw(const triangles& scene, const color_table& colors = every_color()) {
@@ -79,6 +81,8 @@ public:
     std::vector<std::vector<fragment>> packed(std::size_t layers) const;
     /// What receivers read of a texel, row by row: nearest first.
     std::vector<std::vector<surface_fragment>> surfaces() const;
+    /// What a layer compression keeps of a texel, row by row: nearest first, without colours.
+    std::vector<std::vector<surface_fragment>> nodes() const;
     /// The opacities of the packed layers of a texel, nearest first; as many as there are surfaces.
     std::vector<std::vector<std::uint32_t>> opacities() const;
     /// What is in the list of a texel, its nearest included, in the order of keys; a linked list that does

@@ -25,7 +25,7 @@ TEST_CASE("GLSL ES 3.00 counts bits as bitCount does") {
     using usual = effect<slices<>, single_layer, visibility_bitmask>;
     using by_sums = effect<slices<>, single_layer, visibility_bitmask, counting>;
     const parameters how = oracle::view_parameters(p, usual::view(), 0.5);
-    REQUIRE(usual::source<0>().find("return bitCount(bits);") != std::string_view::npos);
+    REQUIRE(usual::source<0>().find("return bitCount(int(bits));") != std::string_view::npos);
     REQUIRE(by_sums::source<0>().find("bitCount") == std::string_view::npos);
     CHECK(oracle::run(p, usual::view(), how) == oracle::run(p, by_sums::view(), how));
 }

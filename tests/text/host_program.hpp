@@ -31,7 +31,11 @@ inline std::string without_recipe(std::string text) {
 /// What a host writes before the functions of a pass.
 inline std::string host_begins(const crease::pass& p) {
     if (p.dialect != crease::dialect_kind::glsl_es)
-        return p.dialect == crease::dialect_kind::vulkan ? "#version 450\n" : "#version 430\n";
+        return p.dialect == crease::dialect_kind::opengl ? "#version 430\n"
+               : p.dialect == crease::dialect_kind::vulkan
+                   ? "#version 450\n"
+                   : "#version 450\n#extension "
+                     "GL_EXT_samplerless_texture_functions : require\n";
     const bool is_300 = text_of(p).find("/glsl_es:300") != std::string::npos;
     return std::string("#version ") + (is_300 ? "300" : "310") +
            " es\nprecision highp float;\nprecision highp int;\n";
@@ -129,6 +133,8 @@ inline void check_program(const crease::effect_view& effect, const crease::pass&
         without_use.insert(each + " in " + std::string(p.name));
     if (p.dialect == crease::dialect_kind::vulkan)
         check_vulkan(effect, p);
+    else if (p.dialect == crease::dialect_kind::webgpu)
+        crease::spirv::validate(crease::spirv::compile(whole_program(p), stage_of_whole(p), p.name));
     else
         check_opengl(p);
 }

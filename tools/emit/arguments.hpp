@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <functional>
 #include <map>
 #include <set>
 #include <sstream>
@@ -42,7 +43,7 @@ inline void add_emit_arguments(CLI::App& command, emit_options& options) {
         .add_option("--stage", options.stage, "what the passes run as; else as the recipe says, or compute")
         ->check(CLI::IsMember({"compute", "fragment"}));
     command.add_option("--dialect", options.dialect, "which GLSL; else as the recipe says, or vulkan")
-        ->check(CLI::IsMember({"vulkan", "opengl", "glsl_es:300", "glsl_es:310"}));
+        ->check(CLI::IsMember({"vulkan", "opengl", "glsl_es:300", "glsl_es:310", "webgpu"}));
     command
         .add_option("--shape", options.shape,
                     "whole programs, or functions for a shader of your own; else as the recipe says")
@@ -57,17 +58,19 @@ inline void add_emit_arguments(CLI::App& command, emit_options& options) {
          {"header", emit_format::header}},
         true, [&options](emit_format format) { options.formats.insert(format); });
     using translate::language;
-    add_choice<std::optional<language>>(command, "--target", "another language, in place of --format",
-                                        {{"hlsl", language::hlsl},
-                                         {"msl", language::msl},
-                                         {"glsl-es", language::glsl_es},
-                                         {"glsl", language::glsl},
-                                         {"spirv", std::nullopt}},
-                                        false, [&options](std::optional<language> to) {
-                                            options.target = to;
-                                            if (!to)
-                                                options.formats.insert(emit_format::spirv);
-                                        });
+    const auto translated = [](language to) { return [to](emit_options& chosen) { chosen.target = to; }; };
+    const auto formatted = [](emit_format format) {
+        return [format](emit_options& chosen) { chosen.formats.insert(format); };
+    };
+    add_choice<std::function<void(emit_options&)>>(
+        command, "--target", "another language, in place of --format",
+        {{"hlsl", translated(language::hlsl)},
+         {"msl", translated(language::msl)},
+         {"glsl-es", translated(language::glsl_es)},
+         {"glsl", translated(language::glsl)},
+         {"wgsl", formatted(emit_format::wgsl)},
+         {"spirv", formatted(emit_format::spirv)}},
+        false, [&options](const auto& choose) { choose(options); });
     command.add_option("--target-version", options.target_version,
                        "of the language: 50, 51, 60 of HLSL; 21 (for 2.1) to 30 of MSL; 300, 310, 320 of "
                        "GLSL ES; 430 to 460 of GLSL; else 50, 21, 310, 430");

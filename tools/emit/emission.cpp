@@ -42,9 +42,14 @@ std::vector<emitted_pass> prepare(const effect_view& effect, bool with_spirv, co
         made.name = names[i];
         if (!with_spirv || !has_spirv(p))
             continue;
-        made.main = finished(spirv::compile(p, options.version()), options);
+        const std::string title = "pass '" + std::string(p.name) + "'";
+        const auto stage =
+            p.stage == stage_kind::compute ? spirv::shader_stage::compute : spirv::shader_stage::fragment;
+        made.main = finished(spirv::compile(p.pieces, stage, title, options.version()), options);
         if (!p.vertex_pieces.empty())
-            made.vertex = finished(spirv::compile_vertex(p, options.version()), options);
+            made.vertex = finished(
+                spirv::compile(p.vertex_pieces, spirv::shader_stage::vertex, title, options.version()),
+                options);
     }
     return all;
 }

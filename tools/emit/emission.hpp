@@ -24,7 +24,7 @@ struct spirv_options {
 /// A shader of a pass among the files: what the manifest says of it.
 struct emitted_shader {
     std::string_view stage; ///< "compute", "fragment", "vertex", or "functions" and "geometry" without `main`
-    std::string_view format; ///< "glsl", "spirv", "spirv-asm", "hlsl", "msl" or "glsl-es"
+    std::string_view format; ///< "glsl", "spirv", "spirv-asm", "wgsl", "hlsl", "msl" or "glsl-es"
     std::string file;
     std::string symbol{};                                ///< in a C++ header; empty elsewhere
     std::optional<translate::translation> translation{}; ///< where it is one
@@ -48,7 +48,7 @@ struct emission {
 /// Whether a pass is a program that SPIR-V is made of.
 constexpr bool has_spirv(const pass& p) {
     return (p.stage == stage_kind::compute || p.stage == stage_kind::fragment) &&
-           p.dialect == dialect_kind::vulkan;
+           (p.dialect == dialect_kind::vulkan || p.dialect == dialect_kind::webgpu);
 }
 
 /// The passes of an effect, with SPIR-V of those that have it where it is wanted. It is validated.

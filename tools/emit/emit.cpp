@@ -7,7 +7,9 @@
 #include "image/file_set.hpp"
 #include "manifest.hpp"
 #include "name.hpp"
+#include "recipe_error.hpp"
 #include "translated.hpp"
+#include "wgsl.hpp"
 
 #include <crease/compose/composition.hpp>
 #include <crease/spirv/disassemble.hpp>
@@ -16,22 +18,21 @@
 
 #include <algorithm>
 #include <memory>
-#include <stdexcept>
 
 namespace crease::tools {
 
 namespace {
 
 /// Adds a part that an option names, with or without its numbers, unless the recipe has it already.
-/// @throws std::runtime_error  where the recipe has another of its role
+/// @throws recipe_error  where the recipe has another of its role
 void add_part(std::string& text, const recipe& given, role of, std::string_view option,
               std::string_view part) {
     for (const choice& c : given.choices())
         if (c.what->kind == of && (c.what->name == part || recipe_text({&c, 1}).view() == part))
             return;
         else if (c.what->kind == of)
-            throw std::runtime_error(fmt::format(
-                "the recipe says '{}' and the option --{} '{}': leave one out", c.what->name, option, part));
+            throw recipe_error(fmt::format("the recipe says '{}' and the option --{} '{}': leave one out",
+                                           c.what->name, option, part));
     text.append("/").append(part);
 }
 
@@ -54,20 +55,37 @@ struct file {
     std::string name, content;
 };
 
+/// What a format calls itself in manifests, and what it adds to the names of files.
+struct format_words {
+    std::string_view name, extension;
+};
+constexpr format_words words_of(emit_format format) {
+    constexpr format_words all[] = {
+        {"glsl", ""}, {"spirv", ".spv"}, {"spirv-asm", ".spvasm"}, {"wgsl", ".wgsl"}};
+    return all[static_cast<int>(format)];
+}
+
 /// Adds a file for each shader in a format; of a pass that has no SPIR-V its GLSL.
 void add_shaders(std::vector<file>& files, emission& of, emit_format format) {
+    std::vector<const spirv::words*> modules; // of which WGSL is made, all at once as node takes its time
+    std::vector<std::size_t> places;          // of their files
     const auto add = [&](std::size_t i, std::string_view stage, const std::string& stem,
                          array_view<const piece> pieces, const spirv::words& words) {
-        const bool is_text = format == emit_format::glsl || words.empty();
-        const bool is_binary = format == emit_format::spirv;
-        const std::string name = stem + (is_text ? "" : is_binary ? ".spv" : ".spvasm");
+        const emit_format own = words.empty() ? emit_format::glsl : format;
+        const std::string name = std::string(stem).append(words_of(own).extension);
         std::vector<emitted_shader>& shaders = of.passes[i].shaders;
         if (std::ranges::find(shaders, name, &emitted_shader::file) == shaders.end())
-            shaders.push_back({stage, is_text ? "glsl" : is_binary ? "spirv" : "spirv-asm", name, {}});
-        if (std::ranges::find(files, name, &file::name) == files.end())
-            files.push_back({name, is_text     ? joined(pieces)
-                                   : is_binary ? bytes_of(words)
-                                               : spirv::disassemble(words)});
+            shaders.push_back({stage, words_of(own).name, name, {}});
+        if (std::ranges::find(files, name, &file::name) != files.end())
+            return;
+        files.push_back({name, own == emit_format::glsl    ? joined(pieces)
+                               : own == emit_format::spirv ? bytes_of(words)
+                               : own == emit_format::wgsl  ? ""
+                                                           : spirv::disassemble(words)});
+        if (own == emit_format::wgsl) {
+            modules.push_back(&words);
+            places.push_back(files.size() - 1);
+        }
     };
     for (std::size_t i = 0; i < of.passes.size(); ++i) {
         const pass& p = of.effect.passes[i];
@@ -76,6 +94,9 @@ void add_shaders(std::vector<file>& files, emission& of, emit_format format) {
         if (!p.vertex_pieces.empty())
             add(i, "vertex", "fullscreen.vert", p.vertex_pieces, of.passes[i].vertex);
     }
+    const std::vector<std::string> texts = wgsl_of(modules);
+    for (std::size_t i = 0; i < texts.size(); ++i)
+        files[places[i]].content = texts[i];
 }
 
 /// Adds a file for each shader in another language; of the functions of a geometry pass its GLSL.
@@ -108,7 +129,11 @@ void add_translations(std::vector<file>& files, emission& of, const translate::t
 }
 
 constexpr bool is_without_spirv(const pass& p) {
-    return p.stage == stage_kind::functions || p.dialect != dialect_kind::vulkan;
+    return p.stage == stage_kind::functions ||
+           (p.dialect != dialect_kind::vulkan && p.dialect != dialect_kind::webgpu);
+}
+constexpr bool is_for_webgpu(const pass& p) {
+    return p.dialect == dialect_kind::webgpu;
 }
 
 std::vector<file> files_of(emission& of, const std::set<emit_format>& formats,
@@ -131,11 +156,11 @@ std::vector<file> files_of(emission& of, const std::set<emit_format>& formats,
 /// What the options say of another language.
 std::optional<translate::target> target_of(const emit_options& options) {
     if (options.target_version && !options.target)
-        throw std::runtime_error("--target-version is of a language: say with --target which");
+        throw recipe_error("--target-version is of a language: say with --target which");
     if (!options.target)
         return std::nullopt;
     if (!options.formats.empty())
-        throw std::runtime_error("--target and --format exclude each other: leave one out");
+        throw recipe_error("--target and --format exclude each other: leave one out");
     constexpr unsigned least[] = {50, 21, 310, 430};
     return translate::target{.to = *options.target,
                              .version =
@@ -144,17 +169,25 @@ std::optional<translate::target> target_of(const emit_options& options) {
 
 void expect_spirv(const emit_options& options, const effect_view& effect) {
     const bool is_asked_for = options.target || options.formats.contains(emit_format::spirv) ||
-                              options.formats.contains(emit_format::spirv_asm);
+                              options.formats.contains(emit_format::spirv_asm) ||
+                              options.formats.contains(emit_format::wgsl);
     if (is_asked_for && std::ranges::any_of(effect.passes, is_without_spirv))
-        throw std::runtime_error(
-            "SPIR-V, and what is made of it, can be emitted of programs in the vulkan dialect only: "
+        throw recipe_error(
+            "SPIR-V, and what is made of it, can be emitted of programs in the dialects vulkan and webgpu "
+            "only: "
             "functions and the dialects opengl and glsl_es come as GLSL, by --format glsl or header");
+    if (options.target && std::ranges::any_of(effect.passes, is_for_webgpu))
+        throw recipe_error(
+            "the webgpu dialect is for --target wgsl or spirv: for another language leave it out");
     const bool makes_spirv = !options.target && options.formats != std::set{emit_format::glsl} &&
                              std::ranges::any_of(effect.passes, has_spirv);
     if (options.spirv.any() && !makes_spirv)
-        throw std::runtime_error(
+        throw recipe_error(
             "--optimise, --strip and --target-env are of SPIR-V, and none is made here: take "
             "--format spirv, spirv-asm or header and the vulkan dialect, or leave them out");
+    if (options.formats.contains(emit_format::header) && std::ranges::any_of(effect.passes, is_for_webgpu))
+        throw recipe_error("a C++ header is of the dialects vulkan, opengl and glsl_es: of webgpu take "
+                                 "--format glsl or spirv, or --target wgsl");
 }
 
 }
@@ -163,21 +196,23 @@ recipe composed_recipe(const emit_options& options) {
     const recipe given{std::string_view(options.recipe)};
     std::string text = options.recipe;
     if (options.stage && options.shape == "functions")
-        throw std::runtime_error(
-            "--stage and --shape functions exclude each other: functions run in whatever "
-            "shader of the host's calls them");
+        throw recipe_error("--stage and --shape functions exclude each other: functions run in whatever "
+                           "shader of the host's calls them");
     if (options.stage)
         add_part(text, given, role::stage, "stage", *options.stage);
     if (options.shape == "functions")
         add_part(text, given, role::stage, "shape", *options.shape);
     else if (options.shape && says_functions(given))
-        throw std::runtime_error(
-            "the recipe says 'functions' and the option --shape 'program': leave one out");
+        throw recipe_error("the recipe says 'functions' and the option --shape 'program': leave one out");
     if (options.dialect)
         add_part(text, given, role::dialect, "dialect", *options.dialect);
+    const bool names_dialect =
+        std::ranges::any_of(given.choices(), [](const choice& c) { return c.what->kind == role::dialect; });
+    if (options.formats.contains(emit_format::wgsl) && !options.dialect && !names_dialect)
+        add_part(text, given, role::dialect, "target", webgpu_glsl::description.name);
     const recipe chosen{std::string_view(text)};
     if (!chosen)
-        throw std::runtime_error(std::string(chosen.error()));
+        throw recipe_error(std::string(chosen.error()));
     return chosen;
 }
 
@@ -188,7 +223,7 @@ std::vector<std::filesystem::path> emit(emit_options options) {
         options.formats = {emit_format::glsl};
     const auto composed = std::make_unique<composition>(composed_recipe(options));
     if (!*composed)
-        throw std::runtime_error(std::string(composed->error()));
+        throw recipe_error(std::string(composed->error()));
     const effect_view effect = composed->view();
     expect_spirv(options, effect);
     const bool with_spirv = !to && options.formats != std::set{emit_format::glsl};

@@ -17,7 +17,7 @@ constexpr std::string_view name_of(stage_kind stage) {
 }
 
 constexpr std::string_view name_of(dialect_kind dialect) {
-    constexpr std::string_view names[] = {"vulkan", "opengl", "glsl_es"};
+    constexpr std::string_view names[] = {"vulkan", "opengl", "glsl_es", "webgpu"};
     return names[static_cast<unsigned>(dialect)];
 }
 

@@ -3,6 +3,7 @@
 
 #include "frame/geometry.hpp"
 #include "image/image.hpp"
+#include "recipe_error.hpp"
 #include "scene/scene.hpp"
 
 #include <crease/compose/composition.hpp>
@@ -13,17 +14,11 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace crease::tools {
-
-/// A recipe that cannot be run as it was asked for, or a setting that does not fit it.
-struct recipe_error : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
 
 /// What the rasteriser makes of a scene: the inputs of an effect, and the geometry for what else it captures.
 struct gbuffer {

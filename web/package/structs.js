@@ -66,7 +66,7 @@ const constant = struct({part: text, number: text, id: u32, value: i32});
 const pass = struct({
     name: text,
     stage: one_of('compute', 'fragment', 'functions', 'geometry'),
-    dialect: one_of('vulkan', 'opengl', 'glsl_es'),
+    dialect: one_of('vulkan', 'opengl', 'glsl_es', 'webgpu'),
     text,
     vertex_text: text,
     bindings: list('binding_count', pointer(binding)),

@@ -204,7 +204,7 @@ constexpr void add_chain(plan& p) {
 
 /// Gives images that compute passes fill formats that every device can store, where the dialect has no other.
 constexpr void widen_stored(plan& p) {
-    if (p.dialect() != dialect_kind::glsl_es)
+    if (p.dialect() != dialect_kind::glsl_es && p.dialect() != dialect_kind::webgpu)
         return;
     for (const planned_pass& pass : p.passes)
         for (unsigned output : pass.outputs)

@@ -64,7 +64,8 @@ class program_writer {
 public:
     constexpr program_writer(const plan& of, const planned_pass& pass, linker& found)
         : plan_(of), pass_(pass), found_(found), is_vulkan_(of.is_vulkan()),
-          is_es_(of.dialect() == dialect_kind::glsl_es), has_bindings_(!of.is_glsl_es_300()),
+          is_es_(of.dialect() == dialect_kind::glsl_es), is_webgpu_(of.dialect() == dialect_kind::webgpu),
+          has_sets_(is_vulkan_ || is_webgpu_), has_bindings_(!of.is_glsl_es_300()),
           is_result_(pass.what->kind == step_kind::result),
           has_main_(pass.stage == stage_kind::compute || pass.stage == stage_kind::fragment) {
         const choice* placed = pass.stage == stage_kind::functions  ? of.find(role::stage)
@@ -93,6 +94,8 @@ public:
         write_constants();
         for (const binding& b : out_.bindings)
             write_declaration(b);
+        if (is_webgpu_)
+            write_nearest();
         write_block();
         write_accessors();
         write_results();
@@ -215,10 +218,10 @@ private:
             unsigned before = 0;
             const bool described = has_descriptor(list[i].how);
             for (std::size_t j = 0; j < i; ++j)
-                before += described ? has_descriptor(list[j].how) && (is_vulkan_ || is_like(list[j], list[i]))
+                before += described ? has_descriptor(list[j].how) && (has_sets_ || is_like(list[j], list[i]))
                                     : list[j].how == list[i].how;
             list[i].slot = before + (described ? first_binding_ : 0);
-            list[i].set = described && is_vulkan_ ? set_ : 0;
+            list[i].set = described && has_sets_ ? set_ : 0;
         }
     }
     constexpr bool is_buffer(const binding& b) const {
@@ -253,7 +256,7 @@ private:
     }
 
     constexpr const char* version_line() const {
-        return is_vulkan_      ? "#version 450\n"
+        return has_sets_       ? "#version 450\n"
                : !is_es_       ? "#version 430\n"
                : has_bindings_ ? "#version 310 es\n"
                                : "#version 300 es\n";
@@ -270,6 +273,8 @@ private:
             text << version_line();
         if (has_main_ && is_vulkan_ && uses("unroll"))
             text << "#extension GL_EXT_control_flow_attributes : enable\n";
+        if (has_main_ && is_webgpu_)
+            text << "#extension GL_EXT_samplerless_texture_functions : require\n";
         for (const choice& c : plan_.parts)
             if (has_main_ && !c.what->extension.empty() && is_linked(c))
                 text << "#extension " << c.what->extension << " : require\n";
@@ -327,7 +332,7 @@ private:
         out_.head << "layout(" << first;
         if (has_bindings_) {
             out_.head << (first.empty() ? "" : ", ");
-            if (is_vulkan_)
+            if (has_sets_)
                 out_.head << "set = " << b.set << ", ";
             out_.head << "binding = " << b.slot;
         }
@@ -350,7 +355,8 @@ private:
                  << "_buffer { " << r.element << " crease_" << b.name << "[]; };\n";
         } else if (b.how == access::sample) {
             write_layout("", b);
-            text << "uniform " << precision << prefix << "sampler" << shape << " crease_" << b.name << ";\n";
+            text << "uniform " << precision << prefix << (is_webgpu_ ? "texture" : "sampler") << shape
+                 << " crease_" << b.name << ";\n";
         } else if (is_storage(b.how)) {
             write_layout(facts_of(r.texels).glsl, b);
             text << "uniform "
@@ -361,6 +367,16 @@ private:
         } else if (b.how == access::attachment && has_main_) {
             text << "layout(location = " << b.slot << ") out " << prefix << "vec4 crease_" << b.name << ";\n";
         }
+    }
+
+    /// The nearest texel, clamped to the edge, of an image that has no sampler.
+    constexpr void write_nearest() {
+        for (const binding& b : out_.bindings)
+            if (b.how == access::sample && plan_.resources[b.resource].life == lifetime::input) {
+                out_.head << "#define textureLod(image, at, level) texelFetch(image, clamp(ivec2((at) * "
+                             "vec2(textureSize(image, 0))), ivec2(0), textureSize(image, 0) - 1), 0)\n";
+                return;
+            }
     }
 
     constexpr void write_block() {
@@ -457,7 +473,7 @@ private:
     const plan& plan_;
     const planned_pass& pass_;
     linker& found_;
-    bool is_vulkan_, is_es_, has_bindings_, is_result_, has_main_;
+    bool is_vulkan_, is_es_, is_webgpu_, has_sets_, has_bindings_, is_result_, has_main_;
     unsigned set_ = 0, first_binding_ = 0, next_id_ = 0;
     program out_;
 };

@@ -21,8 +21,8 @@ namespace crease {
     rule(es_versions, "the versions of GLSL ES are 300 and 310")                                                       \
     rule(es_fragments, "GLSL ES 3.00 has fragment shaders alone, and a part needs others")                             \
     rule(es_loads, "GLSL ES 3.00 has no storage images, which a part loads")                                           \
-    rule(es_layers, "GLSL ES has no way to capture layers, which a part needs")                                        \
-    rule(es_in_place, "GLSL ES reads and writes no image of several numbers in place, as a part does")                 \
+    rule(es_layers, "GLSL ES and WebGPU have no way to capture layers, which a part needs")                            \
+    rule(es_in_place, "GLSL ES and WebGPU change no image of several numbers in place, as a part does")                \
     rule(few_enough, "an effect has 16 parts at the most")                                                             \
     rule(resource_once, "two parts describe a resource of the same name")                                              \
     rule(known_resource, "a step fills a resource that no part of the effect describes")                               \

@@ -115,11 +115,12 @@ constexpr choice_list complete(array_view<const choice> choices) {
 
 namespace rules {
 
-/// Why GLSL ES cannot what the parts do.
+/// Why GLSL ES or WebGPU cannot what the parts do.
 /// @param all  with the parts of all roles
-constexpr refusal check_glsl_es(const choice_list& all, const choice& dialect) {
+constexpr refusal check_dialect(const choice_list& all, const choice& dialect) {
+    const bool is_es = dialect_of(*dialect.what) == dialect_kind::glsl_es;
     const int version = dialect.number_of("version");
-    if (version != 300 && version != 310)
+    if (is_es && version != 300 && version != 310)
         return {es_versions, dialect.what->name};
     for (const choice& c : all) {
         if (version == 300 && c.what->kind == role::stage && stage_of(*c.what) == stage_kind::compute)
@@ -170,9 +171,13 @@ constexpr refusal check(array_view<const choice> choices) {
         if (rules::takes_full_size(choices[i]) && !rules::input_is_full_size(choices, i))
             return {rules::full_size_input, p.name};
     }
-    for (const choice& c : choices)
-        if (c.what->kind == role::dialect && dialect_of(*c.what) == dialect_kind::glsl_es)
-            return rules::check_glsl_es(complete(choices), c);
+    for (const choice& c : choices) {
+        if (c.what->kind != role::dialect)
+            continue;
+        const dialect_kind kind = dialect_of(*c.what);
+        if (kind == dialect_kind::glsl_es || kind == dialect_kind::webgpu)
+            return rules::check_dialect(complete(choices), c);
+    }
     return {};
 }
 

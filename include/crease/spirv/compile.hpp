@@ -47,9 +47,11 @@ inline void expect_program(const pass& which, bool for_vulkan) {
     const bool is_vulkan = which.dialect == dialect_kind::vulkan;
     if (for_vulkan && !is_vulkan)
         throw error(title_of(which) + " is GLSL for " +
-                    (which.dialect == dialect_kind::opengl ? "OpenGL" : "OpenGL ES") +
+                    (which.dialect == dialect_kind::opengl    ? "OpenGL"
+                     : which.dialect == dialect_kind::glsl_es ? "OpenGL ES"
+                                                              : "WebGPU") +
                     ", which SPIR-V for Vulkan cannot be made from");
-    if (!for_vulkan && is_vulkan)
+    if (!for_vulkan && (is_vulkan || which.dialect == dialect_kind::webgpu))
         throw error(title_of(which) + " is GLSL for Vulkan, not for OpenGL");
 }
 

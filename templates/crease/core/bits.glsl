@@ -4,7 +4,7 @@ __LINE__, R"glsl("
 #endif
 
 // Bits that are set.
-int crease_bit_count(uint bits) { return bitCount(bits); }
+int crease_bit_count(uint bits) { return bitCount(int(bits)); }
 #ifdef __cplusplus
 ")glsl"
 #endif

@@ -43,7 +43,7 @@ void check_pass(const pass& each) {
     const std::string_view does = each.takes_surfaces
                                       ? "void crease_capture(vec3 anchor, vec3 normal, vec4 color) {"
                                   : each.stage == stage_kind::geometry ? "void crease_capture(vec3 anchor) {"
-                                  : builds                           ? "void crease_build"
+                                  : builds                             ? "void crease_build"
                                            : "crease_result crease_evaluate(ivec2 pixel) {";
     CHECK(count_of(text, does) >= 1);
     CHECK(count_of(text, "#version") == (has_main(each) ? 1 : 0));
@@ -53,12 +53,16 @@ void check_pass(const pass& each) {
     CHECK(each.vertex_pieces.empty() == (each.stage != stage_kind::fragment));
 }
 
-/// What shares numbers: in Vulkan all that has a descriptor; in OpenGL blocks, textures, images and buffers
-/// apart. The places of attachments and results count apart from all.
+bool has_sets(dialect_kind dialect) {
+    return dialect == dialect_kind::vulkan || dialect == dialect_kind::webgpu;
+}
+
+/// What shares numbers: in Vulkan and WebGPU all that has a descriptor; in OpenGL blocks, textures, images
+/// and buffers apart. The places of attachments and results count apart from all.
 int counted_with(const effect_view& view, const binding& b, dialect_kind dialect) {
     if (!has_descriptor(b.how))
         return b.how == access::attachment ? -1 : -2;
-    if (dialect == dialect_kind::vulkan || b.how == access::uniform)
+    if (has_sets(dialect) || b.how == access::uniform)
         return 0;
     if (view.resources[b.resource].kind == resource_kind::buffer)
         return 3;
@@ -90,8 +94,7 @@ void check_bindings(const effect_view& view, const pass& each) {
         CAPTURE(std::string(b.name));
         const std::string text = declaration(each.pieces[0].text, b, view.resources[b.resource].kind);
         CHECK(contains(text, "binding = " + std::to_string(b.slot) + ")"));
-        CHECK(contains(text, "set = " + std::to_string(b.set) + ", ") ==
-              (each.dialect == dialect_kind::vulkan));
+        CHECK(contains(text, "set = " + std::to_string(b.set) + ", ") == has_sets(each.dialect));
     }
     CHECK(writes(each.bindings.back().how));
 }

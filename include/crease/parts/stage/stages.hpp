@@ -25,10 +25,14 @@ CREASE_TRAIT(opengl_words, dialect, "the dialect must be that of OpenGL, and it 
 /// Writes GLSL ES.
 CREASE_TRAIT(glsl_es_words, dialect, "the dialect must be that of OpenGL ES, and it is not");
 
+/// Writes GLSL of whose SPIR-V naga makes WGSL.
+CREASE_TRAIT(webgpu_words, dialect, "the dialect must be that of WebGPU, and it is not");
+
 /// What passes are written in with a dialect.
 constexpr dialect_kind dialect_of(const part& p) {
     return has(p.offers, &opengl_words::value)    ? dialect_kind::opengl
            : has(p.offers, &glsl_es_words::value) ? dialect_kind::glsl_es
+           : has(p.offers, &webgpu_words::value)  ? dialect_kind::webgpu
                                                   : dialect_kind::vulkan;
 }
 

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include <crease/crease.hpp>
+
+#include "text.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string_view>
+
+TEST_CASE("the webgpu dialect has images without samplers, and constants that are fixed") {
+    using namespace crease;
+    using of_webgpu = effect<directions<>, single_layer, hbao, bilateral<>, webgpu_glsl>;
+    const std::string_view text = of_webgpu::source<0>();
+    CHECK(has_version(text, "#version 450\n#extension GL_EXT_samplerless_texture_functions : require\n"));
+    CHECK(contains(text, "layout(set = 0, binding = 1) uniform texture2D crease_depth;\n"));
+    CHECK(contains(text, "#define textureLod(image, at, level) texelFetch("));
+    CHECK_FALSE(contains(text, "sampler2D"));
+    CHECK_FALSE(contains(text, "constant_id"));
+    CHECK_FALSE(contains(text, "local_size_x_id"));
+    CHECK(of_webgpu::passes[0].dialect == dialect_kind::webgpu);
+    CHECK(of_webgpu::resources[of_webgpu::resources.size() - 1].texels == format::rgba8_unorm);
+    CHECK_FALSE(of_webgpu::features.extended_storage_formats);
+}
+
+TEST_CASE("what webgpu cannot is refused by name") {
+    CHECK(contains(crease::recipe("directions/stochastic_layers/hbao/webgpu").error(),
+                   "(multisampled, webgpu)"));
+    CHECK(contains(crease::recipe("box_area/n_buffer/unsharp_mask/webgpu").error(), "(n_buffer, webgpu)"));
+    CHECK(crease::recipe("directions/depth_pyramid/hbao/webgpu"));
+}
