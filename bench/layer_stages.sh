@@ -1,17 +1,17 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# What each stage of occlusion over exact layers takes, by depth source, in the form of a-buffer-ssao 2013, tables I and III.
-# Usage: bench/layer_stages.sh CREASE SCENE CAMERA SAMPLER ESTIMATOR SOURCE..., e.g. bench/layer_stages.sh crease sponza.glb
-# nave directions:4x8 hbao single_layer layer_array:16. Prints a Markdown table of milliseconds at 1280 x 720, medians of 5 runs
-# in which the sources take turns. `chrt -r 10` before it keeps other work away.
+# What each stage of occlusion over exact layers takes, in the form of a-buffer-ssao 2013, tables I and III.
+# Usage: bench/layer_stages.sh CREASE SCENE CAMERA RECIPE..., e.g. bench/layer_stages.sh crease sponza.glb nave
+# directions:4x8/single_layer/hbao directions:4x8/layer_array:16/hbao. Prints a Markdown table of milliseconds at 1280 x 720,
+# medians of 5 runs in which the recipes take turns. `chrt -r 10` before it keeps other work away.
 set -eu
-crease=$1 scene=$2 camera=$3 sampler=$4 estimator=$5
-shift 5
+crease=$1 scene=$2 camera=$3
+shift 3
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-recipes=$(for source in "$@"; do echo "--recipes $sampler/$source/$estimator"; done)
+recipes=$(printf ' --recipes %s' "$@")
 
-# The clears stand before the first pass and are timed with it: alone where nothing is drawn.
+# The clears stand before the first pass and are timed with it: nearly alone where next to nothing is drawn.
 printf 'v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n' >"$scratch/speck.obj"
 printf '%s%s\n' '[{"name": "before", "eye": [0, 0, 9], "target": [0, 0, 0], "up": [0, 1, 0], "vfov_deg": 40, ' \
     '"near": 0.1, "far": 20, "width": 1280, "height": 720, "ao_radius": 0.5}]' >"$scratch/speck.cameras.json"
@@ -20,22 +20,28 @@ printf '%s%s\n' '[{"name": "before", "eye": [0, 0, 9], "target": [0, 0, 0], "up"
 for each in "$scratch/speck.obj --cameras before" "$scene --cameras $camera"; do
     echo "scene"
     "$crease" bench $each --width 1280 --height 720 --rays 1 --repeats 5 $recipes
-done | awk -v sources="$*" '
-    /^scene/ { ++scene }
-    / ms +RMSE/ { source = $1; sub(/^[^\/]*\//, "", source); sub(/\/.*/, "", source); next }
-    / ms/ {
-        time[scene, source, $1] = $2
-        if (scene == 1 && ($1 ~ /^count|^capture|^peel/) && !((source) in clear))
-            clear[source] = $2
-    }
+done | awk -v recipes="$*" '
+    function is_drawing(pass) { return pass ~ /^(count|capture|peel)_/ }
     function put(title, row, i) {
         printf "| %s |", title
         for (i = 1; i <= count; ++i)
             printf (row[i] > 0 ? " %.1f |" : " |"), row[i]
         print ""
     }
+    /^scene/ { ++scene }
+    / ms +RMSE/ { recipe = $1; next }
+    / ms/ {
+        if (scene == 1 && is_drawing($1) && !(recipe in clear))
+            clear[recipe] = $2
+        if (scene == 2 && $1 ~ /^count_/)
+            counted[recipe] = $2
+        else if (scene == 2 && is_drawing($1))
+            drawn[recipe] += $2
+        else if (scene == 2)
+            time[recipe, $1] = $2
+    }
     END {
-        count = split(sources, name, " ")
+        count = split(recipes, name, " ")
         printf "| stage |"
         for (i = 1; i <= count; ++i)
             printf " `%s` |", name[i]
@@ -44,21 +50,15 @@ done | awk -v sources="$*" '
             printf " --- |"
         print ""
         for (i = 1; i <= count; ++i) {
-            s = name[i]
-            cleared[i] = clear[s]
-            counted[i] = time[2, s, "count_fragments"]
-            drawn[i] = time[2, s, "capture_layers"]
-            for (l = 0; l < 8; ++l)
-                drawn[i] += time[2, s, "peel_layer_" l]
-            if (counted[i] > 0)
-                counted[i] -= cleared[i]
-            else if (drawn[i] > 0)
-                drawn[i] -= cleared[i]
-            sums[i] = time[2, s, "sum_columns"] + time[2, s, "sum_row"]
-            resolved[i] = time[2, s, "pack_layers"] + time[2, s, "compress_layers"]
-            occlusion[i] = time[2, s, "visibility"]
-            total[i] = cleared[i] + counted[i] + drawn[i] + sums[i] + resolved[i] + occlusion[i]
+            r = name[i]
+            cleared[i] = clear[r]
+            counts[i] = counted[r] > 0 ? counted[r] - clear[r] : 0
+            draws[i] = counted[r] > 0 ? drawn[r] : drawn[r] - clear[r]
+            sums[i] = time[r, "sum_columns"] + time[r, "sum_row"]
+            resolved[i] = time[r, "pack_layers"]
+            occlusion[i] = time[r, "visibility"]
+            total[i] = cleared[i] + counts[i] + draws[i] + sums[i] + resolved[i] + occlusion[i]
         }
-        put("clear", cleared); put("count", counted); put("prefix sum", sums); put("draw", drawn); put("resolve", resolved)
+        put("clear", cleared); put("count", counts); put("prefix sum", sums); put("draw", draws); put("resolve", resolved)
         put("AO", occlusion); put("total", total)
     }'

@@ -168,6 +168,7 @@ TEST_CASE("scan") {
 }
 TEST_CASE("depth source") {
     check<parts_page::with_slab>();
+    check<parts_page::with_nearest_nodes>();
 }
 TEST_CASE("sampler") {
     check<parts_page::with_cross>();

@@ -163,12 +163,14 @@ TEST_CASE("they are near the truth, and nearer with the layers behind the first"
 TEST_CASE("front_first finds what all layers do") {
     const gbuffer& inputs = built_in().inputs;
     for (const std::string estimator : estimators) {
-        const std::string layered = "directions:4x4/stochastic_layers:8/" + estimator;
+        // Whose taps all lie ahead: one beside the receiver would hide what rounding decides.
+        const std::string layered = "slices:2x4/stochastic_layers:8/" + estimator;
         const image all = run(layered + "/all_layers", inputs).visibility,
                     first = run(layered + "/front_first", inputs, {{"front_first.reach", 0}}).visibility;
         const comparison between = compare(first, all);
-        // Where rounding puts a point into the sector beside, of which there are fewer or more.
-        CHECK(between.rmse < (estimator == "cosine_bitmask" ? 0.002 : 0.001));
+        CAPTURE(estimator);
+        // Where rounding puts a point into the sector beside.
+        CHECK(between.rmse < 0.001);
     }
 }
 
@@ -180,8 +182,9 @@ TEST_CASE("bent normals are near the truth's") {
         const double degrees = mean_angle(*made.bent, traced.bent);
         MESSAGE(estimator << ": " << degrees << " degrees to the truth's bent normal; the normals "
                           << normals);
-        // Measured: 2.9, 2.5, 3.0 and 3.4 of 5.1.
-        CHECK(degrees < (estimator == "cosine_bitmask" ? 0.75 : 0.65) * normals);
+        // Measured: 2.9, 2.5, 3.0 and 3.4 of 5.1. The last has no bound of its own:
+        // tests/oracle/slice_closed_forms.cpp says by a wall how far it must bend.
+        CHECK(degrees < (estimator == "cosine_bitmask" ? 1 : 0.65) * normals);
     }
 }
 

@@ -146,10 +146,10 @@ triangles turned(const triangles& scene) {
 
 fragment_capture::fragment_capture(const std::string& recipe, unsigned width, unsigned height, lens seen_by,
                                    std::string_view last, std::optional<unsigned> free_nodes,
-                                   std::optional<std::uint32_t> rubbish)
+                                   std::optional<std::uint32_t> rubbish, std::string_view normals)
     : width_(width), height_(height),
       projection_(clip_from_view(seen_by, static_cast<double>(width) / height)),
-      composed_(compose(recipe + "/linear_depth/reconstructed_normals" +
+      composed_(compose(recipe + "/linear_depth/" + std::string(normals) +
                         (seen_by == lens::orthographic ? "/orthographic" : ""))),
       how_(composed_->view().defaults), host_{.vertex = vertex,
                                               .fragment = fragment_text,
@@ -167,7 +167,9 @@ fragment_capture::fragment_capture(const std::string& recipe, unsigned width, un
             each.clear = width * height * pool->layers - *free_nodes;
         }
         if (free_nodes && each.name == "list_nodes" && !are_linked) {
-            each.size = {.fixed_width = *free_nodes, .fixed_height = 1};
+            // With surfaces the nearest of each texel has a node too.
+            const unsigned own = captures_surfaces(effect) ? width * height : 0;
+            each.size = {.fixed_width = own + *free_nodes, .fixed_height = 1};
             each.layers = 1;
         }
         if (rubbish && each.life == crease::lifetime::transient && !each.cleared) {
@@ -273,6 +275,30 @@ std::vector<std::vector<surface_fragment>> fragment_capture::surfaces() const {
             if (!(std::abs(depth) < 1e9f))
                 break;
             lists[at].push_back({std::abs(depth), depth < 0, own[1], normal_of(own[2])});
+        }
+    return lists;
+}
+
+std::vector<std::vector<surface_fragment>> fragment_capture::nodes() const {
+    const std::vector<std::uint32_t> words = words_of(*runner_, "compressed_layers"),
+                                     more = words_of(*runner_, "compressed_normals");
+    const std::size_t texels = std::size_t{width_} * height_, groups = words.size() / 4 / texels;
+    std::vector<std::vector<surface_fragment>> lists(texels);
+    for (std::size_t at = 0; at < texels; ++at)
+        for (std::size_t i = 0; i < 4 * groups; ++i) {
+            const std::uint32_t* own = &words[4 * (i / 4 * texels + at)];
+            const auto half = static_cast<std::uint16_t>(own[i % 4 / 2] >> (16 * (i % 2)));
+            const float depth = crease::vulkan::detail::float_of_half(half) * how_.radius;
+            if (!std::isfinite(depth))
+                break;
+            std::uint8_t bytes[12]; // of the normals, three each
+            const std::uint32_t rest[] = {own[3], more[(i / 4 * 2) * texels + at],
+                                          more[(i / 4 * 2 + 1) * texels + at]};
+            std::memcpy(bytes, rest, sizeof bytes);
+            const std::uint8_t* normal = &bytes[3 * (i % 4)];
+            lists[at].push_back({std::abs(depth), depth < 0, own[2] >> (8 * (i % 4)) << 24,
+                                 normal_of(normal[0] | static_cast<std::uint32_t>(normal[1]) << 8 |
+                                           static_cast<std::uint32_t>(normal[2]) << 16)});
         }
     return lists;
 }

@@ -2,6 +2,7 @@
 // The levels of depth_pyramid against those made on the host, and the occlusion over them against the taps of
 // the technique, each moved to the texel that its level has.
 #include "run.hpp"
+#include "slices.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -148,6 +149,34 @@ TEST_CASE("the taps are those of the technique, moved to texels of the level of 
         oracle::check_within(oracle::compare(oracle::run(p, composed->view(), how), expected),
                              oracle::of_rounding);
     }
+}
+
+TEST_CASE("half directions over the pyramid look at the level of the spacing of their steps") {
+    const oracle::picture p = oracle::draw(oracle::still_life(), lens::standard, 193, 121);
+    constexpr int count = 3, steps = 5, levels = 6;
+    const auto composed = oracle::compose(
+        fmt::format("half_directions:{}x{}/depth_pyramid:{}/cosine_bitmask:0x1", count, steps, levels));
+    const crease::parameters how = oracle::view_parameters(p, composed->view(), 1.6);
+    const oracle::settings s = oracle::settings_of(how, composed->view());
+    std::size_t coarse = 0;
+    const auto occlusion = [&](const oracle::receiver& r) {
+        oracle::half_slices where = oracle::half_directions(p, r, s, count, steps, 2);
+        for (oracle::half_slice& each : where.all) {
+            const double texels = glm::length(oracle::texel_offset(p, r, s.radius * each.azimuth));
+            for (oracle::march_tap& t : each.taps) {
+                const double spacing = texels * 2 * std::sqrt(t.distance) / steps;
+                const oracle::tap own = moved(p, r, oracle::tap{t.x, t.y, {}}, spacing, levels);
+                coarse += own.x != t.x || own.y != t.y;
+                t.x = own.x;
+                t.y = own.y;
+            }
+        }
+        return oracle::cosine_bitmask(p, r, s, where, false, true);
+    };
+    const oracle::visibility_image expected = oracle::main_pass(p, s, 1, false, occlusion);
+    CHECK(coarse > 1000);
+    oracle::check_within(oracle::compare(oracle::run(p, composed->view(), how), expected),
+                         oracle::of_rounding);
 }
 
 TEST_CASE("a plane is unoccluded at every slant, however coarse the levels are") {

@@ -24,6 +24,7 @@ const char* const recipes[] = {"half_directions:1x8/single_layer/cosine_bitmask:
                                "half_directions:1x8/single_layer/visibility_bitmask",
                                "slices:3x3/single_layer/gtao",
                                "slices:3x3/single_layer/visibility_bitmask",
+                               "slices:3x3/single_layer/cosine_bitmask",
                                "directions:3x5/single_layer/cosine_bitmask",
                                "directions:4x4/single_layer/gtao"};
 
@@ -52,6 +53,28 @@ double by_a_wall(double distance, Falloff falloff) {
     return 1 - sum / (double{parts} * parts);
 }
 
+/// A floor by a wall, seen so that both lean by 45 degrees and each is seen alike; their crease lies along y.
+struct corner {
+    oracle::picture seen;
+    int column;           ///< of the texels that lie so far away from the crease on one side
+    glm::dvec3 to_crease; ///< from there
+};
+
+corner draw_corner(double away) {
+    const double s = std::sqrt(0.5);
+    const glm::dvec3 crease(0, 0, -6);
+    corner c{oracle::draw({{kind::plane, crease, {s, 0, s}}, {kind::plane, crease, {-s, 0, s}}},
+                          lens::orthographic, 300, 200),
+             0,
+             {}};
+    const auto way = [&](int x) { return crease - c.seen.position(x, 100) * glm::dvec3(1, 0, 1); };
+    for (int x = 0; x < c.seen.width; ++x)
+        if (std::abs(glm::length(way(x)) - away) < std::abs(glm::length(way(c.column)) - away))
+            c.column = x;
+    c.to_crease = way(c.column);
+    return c;
+}
+
 }
 
 TEST_CASE("a plane is exactly open by half slices at every slant, to the picture's edge") {
@@ -77,26 +100,13 @@ TEST_CASE("a plane is exactly open by half slices at every slant, to the picture
 }
 
 TEST_CASE("a floor by a wall is as dark as the cosine lobe that the wall takes, hard and linear") {
-    // A corner whose crease lies along y: both sides lean by 45 degrees, so each is seen alike.
-    const double s = std::sqrt(0.5), radius = 2, away = 0.4;
-    const glm::dvec3 crease(0, 0, -6);
-    const oracle::picture p = oracle::draw(
-        {{kind::plane, crease, {s, 0, s}}, {kind::plane, crease, {-s, 0, s}}}, lens::orthographic, 300, 200);
-    // The column of texels that lie `away` from the crease on one side.
-    int column = 0;
-    for (int x = 0; x < p.width; ++x) {
-        const auto apart = [&](int at) {
-            return std::abs(glm::length(p.position(at, 100) * glm::dvec3(1, 0, 1) - crease) - away);
-        };
-        if (apart(x) < apart(column))
-            column = x;
-    }
-    const double distance = glm::length(p.position(column, 100) * glm::dvec3(1, 0, 1) - crease) / radius;
+    const corner c = draw_corner(0.4);
+    const double radius = 2, distance = glm::length(c.to_crease) / radius;
     const auto mean = [&](const std::string& recipe) {
-        const std::vector<float> image = oracle::run(p, recipe + "/orthographic", radius);
+        const std::vector<float> image = oracle::run(c.seen, recipe + "/orthographic", radius);
         double sum = 0;
         for (int y = 60; y < 140; ++y)
-            sum += image[p.index(column, y)];
+            sum += image[c.seen.index(c.column, y)];
         return sum / 80;
     };
     const double hard = by_a_wall(distance, [](double) { return 1; }),
@@ -110,6 +120,47 @@ TEST_CASE("a floor by a wall is as dark as the cosine lobe that the wall takes, 
           doctest::Approx(linear).epsilon(0.04));
     CHECK(mean("slices:16x32/single_layer/cosine_bitmask:0x0") == doctest::Approx(hard).epsilon(0.04));
     CHECK(mean("slices:16x32/single_layer/visibility_bitmask") == doctest::Approx(hard).epsilon(0.04));
+}
+
+TEST_CASE("beside a wall the bent normal is the mean of what stays open of the cosine lobe") {
+    const corner c = draw_corner(0.4);
+    const double radius = 2, distance = glm::length(c.to_crease) / radius;
+    glm::dvec2 open(0); // along the floor to the wall, and off the floor
+    constexpr int parts = 600;
+    int hidden = 0;
+    for (int i = 0; i < parts; ++i)
+        for (int j = 0; j < parts; ++j) {
+            const double sine = std::sqrt((j + 0.5) / parts),
+                         towards = sine * std::cos(2 * pi * (i + 0.5) / parts);
+            if (towards <= distance)
+                open += glm::dvec2(towards, std::sqrt(1 - sine * sine));
+            else
+                ++hidden;
+        }
+    const double lean = std::atan2(-open.x, open.y) * 180 / pi;
+    CAPTURE(lean);
+    // What is hidden counts as if it stood in the middle of an eighth of the angles from the eye to the
+    // tangent plane, which are 135 degrees at most.
+    const double off = 135.0 / 8 / 2 * hidden / glm::length(open);
+    CAPTURE(off);
+    for (const std::string recipe :
+         {"half_directions:16x32/single_layer/cosine_bitmask:0x0",
+          "slices:16x32/single_layer/cosine_bitmask:0x0", "slices:16x32/single_layer/visibility_bitmask"}) {
+        CAPTURE(recipe);
+        const auto composed = oracle::compose(recipe + "/bent_cone/orthographic");
+        const std::vector<float> image = oracle::run(
+            c.seen, composed->view(), oracle::view_parameters(c.seen, composed->view(), radius), "bent_cone");
+        glm::dvec2 bent(0);
+        for (int y = 60; y < 140; ++y) {
+            const std::size_t texel = c.seen.index(c.column, y), at = 4 * texel;
+            const glm::dvec3 each(image[at], image[at + 1], image[at + 2]);
+            bent += glm::dvec2(glm::dot(each, glm::normalize(c.to_crease)),
+                               glm::dot(each, glm::dvec3(c.seen.normals[texel])));
+        }
+        const double bends = std::atan2(-bent.x, bent.y) * 180 / pi;
+        CAPTURE(bends);
+        CHECK(std::abs(bends - lean) < off);
+    }
 }
 
 TEST_CASE("the inside of a sphere hides the share of the lobe whose chords end within the radius") {

@@ -19,13 +19,17 @@ std::vector<march_tap> march(const picture& p, const receiver& r, const settings
                              double offset, int steps, int power) {
     const glm::dvec2 radius = texel_offset(p, r, s.radius * azimuth);
     const glm::dvec2 first = glm::dvec2(r.x + 0.5, r.y + 0.5) + glm::normalize(radius);
+    // The half slice is on one side of the line through the receiver across its direction.
+    const glm::dvec2 line = glm::normalize(texel_offset(p, r, s.radius * glm::cross(azimuth, r.to_eye)));
+    const auto apart = [&](glm::dvec2 way) { return way.x * line.y - way.y * line.x; };
     std::vector<march_tap> taps;
     for (int i = 0; i < steps; ++i) {
         const double share = std::pow((i + offset) / steps, power);
         const glm::dvec2 at = glm::floor(first + radius * share);
         const int x = static_cast<int>(std::clamp(at.x, 0.0, p.width - 1.0)),
                   y = static_cast<int>(std::clamp(at.y, 0.0, p.height - 1.0));
-        taps.push_back({x, y, share, power / (i + offset), x != r.x || y != r.y});
+        const double ahead = apart({x - r.x, y - r.y}) * (apart(radius) < 0 ? -1 : 1);
+        taps.push_back({x, y, share, power / (i + offset), ahead > 0.5});
     }
     return taps;
 }

@@ -12,7 +12,7 @@ namespace oracle {
 struct march_tap {
     int x, y;
     double distance, gap; ///< from the receiver, radii; between the taps around it, as a share of that
-    bool counts;          ///< whether the texel is not the receiver's
+    bool counts;          ///< whether it is in the half slice, half a texel ahead
 };
 
 /// A direction: unit, across the direction to the eye.

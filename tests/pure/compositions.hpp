@@ -93,16 +93,20 @@ inline std::vector<std::string> every_recipe() {
         times(legal(times(legal(times(firsts, optional(further_views))), names_of(output))), filter_chains());
     const std::vector<std::string> captures =
         times(legal(times(times(firsts, names_of(layer_storage)), names_of(coverage))), names_of(projection));
+    const std::vector<std::string> compressed =
+        times(legal(times(legal(times(firsts, names_of(layer_compression))), names_of(receivers))),
+              names_of(output));
     const std::vector<std::string> scans = times(legal(times(firsts, names_of(scan))), names_of(stage));
     const std::vector<std::string> reads =
         times(legal(times(times(firsts, names_of(image_reads)), names_of(depth_encoding))), optional(filter));
-    for (const auto& each : {views, times(times(views_of_firsts, names_of(stage)), names_of(dialect)),
-                             one_by_one(more, {projection, depth_encoding, normals, noise, receivers,
-                                               output_format, image_reads, filter, stage, dialect}),
-                             one_by_one(filtered, {projection, depth_encoding, normals, noise, receivers,
-                                                   output_format, image_reads, stage, dialect}),
-                             times(captures, names_of(dialect)), times(scans, names_of(dialect)),
-                             times(reads, names_of(dialect))})
+    for (const auto& each :
+         {views, times(times(views_of_firsts, names_of(stage)), names_of(dialect)),
+          one_by_one(more, {projection, depth_encoding, normals, noise, receivers, layer_compression,
+                            output_format, image_reads, filter, stage, dialect}),
+          one_by_one(filtered, {projection, depth_encoding, normals, noise, receivers, output_format,
+                                image_reads, stage, dialect}),
+          times(captures, names_of(dialect)), times(compressed, names_of(dialect)),
+          times(scans, names_of(dialect)), times(reads, names_of(dialect))})
         all.insert(all.end(), each.begin(), each.end());
     return legal(std::move(all));
 }

@@ -102,5 +102,5 @@ test('composing takes milliseconds, and a thousand times leaks nothing', () => {
 
 test('the module is small', () => {
     const size = gzipSync(readFileSync(join(installed, 'crease.wasm')), {level: 9}).length;
-    assert.ok(size < 100 * 1024, `${size} bytes zipped`);
+    assert.ok(size < 128 * 1024, `${size} bytes zipped`);
 });

@@ -196,7 +196,7 @@ test('the text is that of the command, in the language that is chosen', async ()
 });
 
 test('the camera turns', async () => {
-    await open('recipe=directions:4x4/single_layer/hbao&orbit=true');
+    await open('recipe=directions:4x4/single_layer/hbao&orbit=0,0,1');
     await drawn('directions:4x4/single_layer/hbao');
     const picture = await visibility();
     const {mean} = apart(picture, rendered('directions:4x4/single_layer/hbao'));
@@ -206,6 +206,8 @@ test('the camera turns', async () => {
     await page.waitForTimeout(300);
     const turned = await visibility();
     assert.ok(apart(turned, picture).mean > 0.01);
+    assert.match(page.url(), /orbit=-0\.1,0,1/);
+    assert.equal(await text_of('rmse-hard'), '–');
 });
 
 test('the first picture comes soon, of less than 3 MB', async () => {

@@ -17,9 +17,9 @@ struct preset_figures {
 };
 
 inline constexpr preset_figures measured_presets[] = {
-    {"low", 0.0840, 0.0614, 0.857, 0.32},          {"medium", 0.0712, 0.0487, 0.907, 0.74},
-    {"high", 0.0661, 0.0455, 0.915, 1.22},         {"ultra", 0.0644, 0.0446, 0.926, 1.49},
-    {"ultra_layers", 0.0527, 0.0420, 0.925, 8.11}, // with a guard band of a tenth of the width
+    {"low", 0.0834, 0.0608, 0.858, 0.31},          {"medium", 0.0707, 0.0480, 0.908, 0.74},
+    {"high", 0.0678, 0.0453, 0.927, 1.03},         {"ultra", 0.0648, 0.0432, 0.935, 1.51},
+    {"ultra_layers", 0.0416, 0.0337, 0.945, 2.93}, // with a guard band of a tenth of the width
 };
 
 }

@@ -7,6 +7,7 @@
 #include "image/file_set.hpp"
 #include "manifest.hpp"
 #include "name.hpp"
+#include "recipe_error.hpp"
 #include "translated.hpp"
 #include "wgsl.hpp"
 
@@ -17,22 +18,21 @@
 
 #include <algorithm>
 #include <memory>
-#include <stdexcept>
 
 namespace crease::tools {
 
 namespace {
 
 /// Adds a part that an option names, with or without its numbers, unless the recipe has it already.
-/// @throws std::runtime_error  where the recipe has another of its role
+/// @throws recipe_error  where the recipe has another of its role
 void add_part(std::string& text, const recipe& given, role of, std::string_view option,
               std::string_view part) {
     for (const choice& c : given.choices())
         if (c.what->kind == of && (c.what->name == part || recipe_text({&c, 1}).view() == part))
             return;
         else if (c.what->kind == of)
-            throw std::runtime_error(fmt::format(
-                "the recipe says '{}' and the option --{} '{}': leave one out", c.what->name, option, part));
+            throw recipe_error(fmt::format("the recipe says '{}' and the option --{} '{}': leave one out",
+                                           c.what->name, option, part));
     text.append("/").append(part);
 }
 
@@ -156,11 +156,11 @@ std::vector<file> files_of(emission& of, const std::set<emit_format>& formats,
 /// What the options say of another language.
 std::optional<translate::target> target_of(const emit_options& options) {
     if (options.target_version && !options.target)
-        throw std::runtime_error("--target-version is of a language: say with --target which");
+        throw recipe_error("--target-version is of a language: say with --target which");
     if (!options.target)
         return std::nullopt;
     if (!options.formats.empty())
-        throw std::runtime_error("--target and --format exclude each other: leave one out");
+        throw recipe_error("--target and --format exclude each other: leave one out");
     constexpr unsigned least[] = {50, 21, 310, 430};
     return translate::target{.to = *options.target,
                              .version =
@@ -172,21 +172,21 @@ void expect_spirv(const emit_options& options, const effect_view& effect) {
                               options.formats.contains(emit_format::spirv_asm) ||
                               options.formats.contains(emit_format::wgsl);
     if (is_asked_for && std::ranges::any_of(effect.passes, is_without_spirv))
-        throw std::runtime_error(
+        throw recipe_error(
             "SPIR-V, and what is made of it, can be emitted of programs in the dialects vulkan and webgpu "
             "only: "
             "functions and the dialects opengl and glsl_es come as GLSL, by --format glsl or header");
     if (options.target && std::ranges::any_of(effect.passes, is_for_webgpu))
-        throw std::runtime_error(
+        throw recipe_error(
             "the webgpu dialect is for --target wgsl or spirv: for another language leave it out");
     const bool makes_spirv = !options.target && options.formats != std::set{emit_format::glsl} &&
                              std::ranges::any_of(effect.passes, has_spirv);
     if (options.spirv.any() && !makes_spirv)
-        throw std::runtime_error(
+        throw recipe_error(
             "--optimise, --strip and --target-env are of SPIR-V, and none is made here: take "
             "--format spirv, spirv-asm or header and the vulkan dialect, or leave them out");
     if (options.formats.contains(emit_format::header) && std::ranges::any_of(effect.passes, is_for_webgpu))
-        throw std::runtime_error("a C++ header is of the dialects vulkan, opengl and glsl_es: of webgpu take "
+        throw recipe_error("a C++ header is of the dialects vulkan, opengl and glsl_es: of webgpu take "
                                  "--format glsl or spirv, or --target wgsl");
 }
 
@@ -196,16 +196,14 @@ recipe composed_recipe(const emit_options& options) {
     const recipe given{std::string_view(options.recipe)};
     std::string text = options.recipe;
     if (options.stage && options.shape == "functions")
-        throw std::runtime_error(
-            "--stage and --shape functions exclude each other: functions run in whatever "
-            "shader of the host's calls them");
+        throw recipe_error("--stage and --shape functions exclude each other: functions run in whatever "
+                           "shader of the host's calls them");
     if (options.stage)
         add_part(text, given, role::stage, "stage", *options.stage);
     if (options.shape == "functions")
         add_part(text, given, role::stage, "shape", *options.shape);
     else if (options.shape && says_functions(given))
-        throw std::runtime_error(
-            "the recipe says 'functions' and the option --shape 'program': leave one out");
+        throw recipe_error("the recipe says 'functions' and the option --shape 'program': leave one out");
     if (options.dialect)
         add_part(text, given, role::dialect, "dialect", *options.dialect);
     const bool names_dialect =
@@ -214,7 +212,7 @@ recipe composed_recipe(const emit_options& options) {
         add_part(text, given, role::dialect, "target", webgpu_glsl::description.name);
     const recipe chosen{std::string_view(text)};
     if (!chosen)
-        throw std::runtime_error(std::string(chosen.error()));
+        throw recipe_error(std::string(chosen.error()));
     return chosen;
 }
 
@@ -225,7 +223,7 @@ std::vector<std::filesystem::path> emit(emit_options options) {
         options.formats = {emit_format::glsl};
     const auto composed = std::make_unique<composition>(composed_recipe(options));
     if (!*composed)
-        throw std::runtime_error(std::string(composed->error()));
+        throw recipe_error(std::string(composed->error()));
     const effect_view effect = composed->view();
     expect_spirv(options, effect);
     const bool with_spirv = !to && options.formats != std::set{emit_format::glsl};

@@ -31,7 +31,7 @@ struct emit_options {
 };
 
 /// The recipe with the stage, the dialect and the shape that the options add to it.
-/// @throws std::runtime_error  with the sentence of the refusal, also where recipe and options disagree
+/// @throws recipe_error  with the sentence of the refusal, also where recipe and options disagree
 recipe composed_recipe(const emit_options& options);
 
 /// Writes every pass of a recipe: `<n>_<pass>.comp|.frag|.glsl`, `.spv`, `.spvasm`, `.wgsl`, `.hlsl` or
@@ -40,7 +40,8 @@ recipe composed_recipe(const emit_options& options);
 /// `<name>.json`, which says what belongs together. What the manifest that stood there named and no longer
 /// belongs goes. Where it fails there is no manifest, or that of what stood there.
 /// @return the files written, the manifest last
-/// @throws std::runtime_error  with the sentence of the refusal, or where a file cannot be written
+/// @throws recipe_error        with the sentence of the refusal
+/// @throws std::runtime_error  where a file cannot be written, or stands in the way
 std::vector<std::filesystem::path> emit(emit_options options);
 
 }

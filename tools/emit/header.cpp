@@ -155,11 +155,11 @@ private:
         write_list("constant", "constants", i, constants);
         passes_ += fmt::format("    {{{},\n     ::crease::stage_kind::{},\n     ::crease::dialect_kind::{},\n"
                                "     {},\n     {},\n     {},\n     {},\n     {},\n"
-                               "     ::crease::dispatch::{},\n     {},\n     {},\n     {}}},\n",
+                               "     ::crease::dispatch::{},\n     {},\n     {},\n     {},\n     {}}},\n",
                                quoted(p.name), name_of(p.stage), name_of(p.dialect), main.pieces,
                                vertex.pieces, view_of("bindings", i, p.bindings.empty()),
                                view_of("constants", i, p.constants.empty()), extent_of(p.size),
-                               name_of(p.covers), p.view, main.words, vertex.words);
+                               name_of(p.covers), p.view, p.takes_surfaces, main.words, vertex.words);
     }
 
     void write_list(std::string_view item, std::string_view name, std::size_t pass,

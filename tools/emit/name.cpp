@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "name.hpp"
 
+#include "recipe_error.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace crease::tools {
 
@@ -36,7 +37,7 @@ std::string_view fault_of(std::string_view name) {
 
 void expect_name(std::string_view name) {
     if (const std::string_view fault = fault_of(name); !fault.empty())
-        throw std::runtime_error(fmt::format("the name '{}' {}", name, fault));
+        throw recipe_error(fmt::format("the name '{}' {}", name, fault));
 }
 
 }

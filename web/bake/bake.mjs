@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Makes the playground: bake.mjs --crease COMMAND --mesh PROGRAM --package FOLDER --output FOLDER [--rays N] [--views A,B]
+// Makes the playground: bake.mjs --crease COMMAND --mesh PROGRAM --package FOLDER --output FOLDER
+//                                [--rays N] [--views A,B of them] [--families N of them]
 import {cpSync, mkdtempSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
-import {fileURLToPath} from 'node:url';
+import {fileURLToPath, pathToFileURL} from 'node:url';
 import {parseArgs} from 'node:util';
 
+import {bake_gallery} from './gallery.mjs';
+import {bake_texts} from './texts.mjs';
 import {bake_views} from './views.mjs';
 
 const {values: options} = parseArgs({
@@ -16,15 +19,21 @@ const {values: options} = parseArgs({
         output: {type: 'string'},
         rays: {type: 'string', default: '256'},
         views: {type: 'string', default: ''},
+        families: {type: 'string', default: 'Infinity'},
     },
 });
-const {crease, mesh, output} = options;
+const {crease: command, mesh, output: folder} = options;
+const rays = Number(options.rays);
+const beside = (name) => fileURLToPath(new URL(name, import.meta.url));
 const scratch = mkdtempSync(join(tmpdir(), 'crease-bake-'));
 try {
-    cpSync(fileURLToPath(new URL('../site', import.meta.url)), output, {recursive: true});
-    cpSync(options.package, join(output, 'package'), {recursive: true});
-    bake_views({crease, mesh, folder: join(output, 'views'), scratch, names: options.views.split(',').filter(Boolean),
-                rays: Number(options.rays)});
+    cpSync(beside('../site'), folder, {recursive: true});
+    cpSync(options.package, join(folder, 'package'), {recursive: true});
+    const {load} = await import(pathToFileURL(join(folder, 'package/crease.js')));
+    const crease = await load();
+    bake_views({command, mesh, folder: join(folder, 'views'), scratch, names: options.views.split(',').filter(Boolean), rays});
+    bake_gallery({command, crease, folder, scratch, template: beside('gallery.html'), rays, count: Number(options.families)});
+    bake_texts({command, crease, folder, scratch});
 } finally {
     rmSync(scratch, {recursive: true, force: true});
 }

@@ -36,7 +36,7 @@ function truth_bytes(path) {
 }
 
 /** Bakes the views of the given names to a folder, with so many rays a texel. */
-export function bake_views({crease, mesh, folder, scratch, names, rays}) {
+export function bake_views({command, mesh, folder, scratch, names, rays}) {
     mkdirSync(folder, {recursive: true});
     mkdirSync(scratch, {recursive: true});
     const paths = write_scenes(scratch);
@@ -44,7 +44,7 @@ export function bake_views({crease, mesh, folder, scratch, names, rays}) {
     for (const {title, scene, camera} of views.filter((view) => names.length === 0 || names.includes(view.camera.name))) {
         const {name} = camera;
         const view = [paths[scene], '--cameras', join(scratch, `${scene}.cameras.json`), '--camera', name];
-        const run = (...words) => execFileSync(crease, words, {stdio: ['ignore', 'inherit', 'ignore']});
+        const run = (...words) => execFileSync(command, words, {stdio: ['ignore', 'inherit', 'ignore']});
         const made = join(scratch, name), traced = join(scratch, `${name}_truth`);
         run('render', ...view, '--recipe', recipe, '-o', made);
         run('reference', ...view, '--rays', `${rays}`, '-o', traced);

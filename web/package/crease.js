@@ -26,8 +26,9 @@ class Crease {
     check(recipe) {
         const {calls} = this.#library;
         return this.#library.with_text(recipe, (text) => {
-            const room = new Uint8Array(1 + calls.crease_check(text, 0, 0));
-            return this.#library.with_bytes([room], (sentence) => {
+            const length = calls.crease_check(text, 0, 0);
+            const room = new Uint8Array(1 + length);
+            return length === 0 ? '' : this.#library.with_bytes([room], (sentence) => {
                 calls.crease_check(text, sentence, room.length);
                 return this.#library.text(sentence);
             });

@@ -22,8 +22,10 @@ void main() {
     float difference = clamp((shown - traced) * 3.0, -1.0, 1.0);
     vec3 blue = vec3(0.13, 0.4, 0.67), red = vec3(0.7, 0.09, 0.17), pale = vec3(0.97);
     vec3 false_colour = mix(pale, difference < 0.0 ? blue : red, abs(difference));
-    bool right = beside != 0 && gl_FragCoord.x >= split * float(size.x);
-    colour = vec4(!right ? vec3(shown) : beside == 1 ? vec3(traced) : false_colour, 1);
+    float past = beside == 0 ? -1.0 : gl_FragCoord.x - split * float(size.x);
+    colour = vec4(past < 0.0 ? vec3(shown) : beside == 1 ? vec3(traced) : false_colour, 1);
+    if (abs(past) < 1.0 && beside != 0)
+        colour.rgb = vec3(0.12, 0.37, 0.66);
 }`;
 
 export class Picture {

@@ -17,6 +17,9 @@ import {list_of_views} from './views.js';
 const host = ['linear_depth', 'fragment', 'glsl_es:300'];
 const host_roles = ['depth encoding', 'stage', 'dialect'];
 
+/** What the images of a view hold, in the words of manifests. */
+const inputs = {depth: 'linear_depth', normal: 'view_normals'};
+
 class Playground {
     #frame = 0; // that is requested; 0: none
     #runs = 0;
@@ -52,10 +55,10 @@ class Playground {
             throw error;
         }
         const {resources, parts} = this.crease.compose(this.recipes.hosted(this.#words(recipe)));
-        const missing = resources.find(({name, kind, lifetime}) =>
-            kind === 'image' && lifetime === 'input' && !['depth', 'normal'].includes(name));
+        const missing = resources.find(({name, kind, lifetime, content}) =>
+            kind === 'image' && lifetime === 'input' && inputs[name] !== content);
         if (missing)
-            return `this page has no input '${missing.name}'`;
+            return `this page has no input '${missing.name}' that holds ${missing.content || 'what it needs'}`;
         return parts.some(({name}) => name === 'orthographic') ? 'the cameras of this page are perspective' : '';
     }
 
@@ -66,10 +69,10 @@ class Playground {
         this.state.view = view.name;
         for (const id of ['view', 'truth', 'split', 'beside'])
             by_id(id).value = this.state[id];
-        by_id('orbit').checked = this.state.orbit;
+        by_id('orbit').checked = this.state.orbit !== null;
         if (this.stage.view !== view)
             await this.stage.set_view(view);
-        await this.stage.set_orbit(this.state.orbit ? [0, 0, 1] : null);
+        await this.stage.set_orbit(this.state.orbit);
         this.effect_recipe = null;
         await this.#compose();
     }
@@ -145,17 +148,26 @@ class Playground {
         const {stage, state} = this;
         const run = ++this.#runs;
         stage.run({radius: this.radius, settings: state.settings});
-        stage.draw(state);
+        this.#draw();
         document.body.dataset.drawn = state.recipe;
-        if (!stage.orbit) {
+        if (stage.orbit) {
+            for (const id of ['rmse-hard', 'rmse-linear', 'ssim-hard', 'ssim-linear'])
+                by_id(id).textContent = '–'; // the camera has no truth
+        } else {
             const visibility = await stage.visibility();
             for (const kind of ['hard', 'linear'])
                 this.#measure_errors(kind, visibility, await stage.truth(kind));
             if (run === this.#runs)
-                stage.draw(state);
+                this.#draw();
         }
         clearTimeout(this.#clock);
         this.#clock = setTimeout(() => this.#measure_time(), 300);
+    }
+
+    #draw() {
+        this.stage.draw(this.state);
+        const compared = !this.stage.orbit && this.state.beside !== 'nothing';
+        by_id('beside-name').textContent = compared ? by_id('beside').selectedOptions[0]?.textContent ?? '' : '';
     }
 
     #measure_errors(kind, visibility, truth) {
@@ -165,11 +177,10 @@ class Playground {
     }
 
     async #measure_time() {
-        const {stage, state} = this;
+        const {stage} = this;
         const {milliseconds, how} = await measure(stage.gl, () => stage.effect.run());
         by_id('milliseconds').textContent = milliseconds.toFixed(2);
         by_id('milliseconds').title = how;
-        stage.draw(state);
     }
 
     #remember() {
@@ -179,7 +190,7 @@ class Playground {
     #listen() {
         const redraw = () => {
             this.#remember();
-            this.stage.draw(this.state);
+            this.#draw();
         };
         by_id('split').addEventListener('input', ({target}) => {
             this.state.split = Number(target.value);
@@ -201,9 +212,9 @@ class Playground {
             await this.restore();
         });
         by_id('orbit').addEventListener('change', async ({target}) => {
-            this.state.orbit = target.checked;
+            this.state.orbit = target.checked ? [0, 0, 1] : null;
             this.#remember();
-            await this.stage.set_orbit(target.checked ? [0, 0, 1] : null);
+            await this.stage.set_orbit(this.state.orbit);
             this.#next_frame();
         });
         by_id('link').addEventListener('click', async () => {
@@ -222,8 +233,11 @@ class Playground {
             const {orbit} = this.stage;
             if (!orbit)
                 return;
-            this.stage.orbit = [orbit[0] + across, orbit[1] + up, Math.min(Math.max(orbit[2] * distance, 0.2), 4)];
-            this.#next_frame();
+            const rounded = (number) => Math.round(number * 1000) / 1000;
+            this.#set(() => {
+                this.state.orbit = [orbit[0] + across, orbit[1] + up, Math.min(Math.max(orbit[2] * distance, 0.2), 4)].map(rounded);
+                this.stage.orbit = this.state.orbit;
+            });
         };
         canvas.addEventListener('pointerdown', ({pointerId}) => canvas.setPointerCapture(pointerId));
         canvas.addEventListener('pointermove', ({buttons, movementX, movementY}) => {

@@ -16,6 +16,9 @@ export class Recipes {
         Object.assign(this, {crease, host});
         this.parts = new Map(crease.parts.map((part) => [part.name, part]));
         this.main = ['sampler', 'depth source', 'estimator'].map((role) => this.of_role(role));
+        const [samplers, sources, estimators] = this.main;
+        this.triples = new Set(samplers.flatMap((a) => sources.flatMap((b) => estimators.map((c) => [a, b, c])))
+            .filter((names) => this.fits(names)).map((names) => names.join('/')));
     }
 
     of_role(role) {
@@ -62,7 +65,8 @@ export class Recipes {
             tries.push(...near(i).slice(1).map((word) => three.with(i, word)));
         for (const a of near(first).slice(1))
             tries.push(...near(second).slice(1).map((b) => three.with(first, a).with(second, b)));
-        const found = tries.find((words) => this.fits([...words, ...tail]));
+        const found = tries.find((words) =>
+            this.triples.has(words.map(name_of).join('/')) && this.fits([...words, ...tail]));
         return found ? [...found, ...tail] : null;
     }
 

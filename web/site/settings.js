@@ -9,8 +9,8 @@ export function settings_of(effect) {
 
 export function show_settings(place, effect, {radius, recommended_radius, values, on_radius, on_setting}) {
     const controls = settings_of(effect).map((member) => number_control({
-        label: member.name.replaceAll('_', ' '),
-        title: member.meaning,
+        label: member.name.replace(/^.*\./, '').replaceAll('_', ' '),
+        title: `${member.name}: ${member.meaning}`,
         least: member.least,
         most: member.most,
         curve: member.most - member.least > 4 ? 3 : 1,

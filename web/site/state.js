@@ -8,12 +8,18 @@ export const defaults = {
     beside: 'truth',
     split: 0.5,
     radius: null,
-    orbit: false,
+    orbit: null,
     settings: {},
 };
 
 const numbers = ['split', 'radius'];
 const prefix = 'set.';
+
+/** Angles across and up and a distance; null of anything else. */
+function angles_of(text) {
+    const numbers = text.split(',').map(Number);
+    return numbers.length === 3 && numbers.every(Number.isFinite) && numbers[2] > 0 ? numbers : null;
+}
 
 export function read_state(fragment) {
     const state = {...defaults, settings: {}};
@@ -23,7 +29,7 @@ export function read_state(fragment) {
         else if (numbers.includes(name) && Number.isFinite(Number(value)))
             state[name] = Number(value);
         else if (name === 'orbit')
-            state.orbit = value === 'true';
+            state.orbit = angles_of(value);
         else if (name in defaults && !numbers.includes(name) && name !== 'settings')
             state[name] = value;
     return state;
@@ -36,5 +42,5 @@ export function fragment_of(state) {
             Object.entries(value).forEach(([setting, number]) => words.set(prefix + setting, number));
         else if (value !== defaults[name])
             words.set(name, value);
-    return `#${words.toString().replaceAll('%3A', ':').replaceAll('%2F', '/')}`;
+    return `#${words.toString().replaceAll('%3A', ':').replaceAll('%2F', '/').replaceAll('%2C', ',')}`;
 }

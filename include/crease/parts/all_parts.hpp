@@ -5,6 +5,8 @@
 // include/crease/parts/<role>/<name>.hpp, one include and one line here beside those of its role, and its
 // tests in tests/pure/parts/<role>/<name>.cpp.
 
+#include <crease/parts/compression/compressed.hpp>
+#include <crease/parts/compression/compressed_occluders.hpp>
 #include <crease/parts/coverage/anisotropic_threshold.hpp>
 #include <crease/parts/coverage/hash_4d.hpp>
 #include <crease/parts/coverage/isotropic_threshold.hpp>
@@ -47,6 +49,7 @@
 #include <crease/parts/noise/interleaved_gradient_noise.hpp>
 #include <crease/parts/noise/tiled_noise.hpp>
 #include <crease/parts/output/bent_cone.hpp>
+#include <crease/parts/output/composite.hpp>
 #include <crease/parts/output/packed_bent_cone.hpp>
 #include <crease/parts/output/shade.hpp>
 #include <crease/parts/output/visibility_only.hpp>
@@ -128,6 +131,8 @@ inline constexpr const part* all_parts[] = {
     &mip_chain_part::description,
     &depth_pyramid_part::description,
     &multi_resolution_part::description,
+    &compressed_part::description,
+    &compressed_occluders_part::description,
     &hbao::description,
     &hbao_plus::description,
     &gtao::description,
@@ -158,6 +163,7 @@ inline constexpr const part* all_parts[] = {
     &bent_cone::description,
     &packed_bent_cone::description,
     &shade_part::description,
+    &composite_part::description,
     &r8::description,
     &rgba8::description,
     &r32f::description,

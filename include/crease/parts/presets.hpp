@@ -31,26 +31,26 @@ struct medium {
         "medium", "one direction of 8 taps: what most pictures want", choices_in<parts>};
 };
 
-/// About 20 fetches a pixel.
+/// About 18 fetches a pixel.
 struct high {
-    using parts = part_list<half_directions<1, 18>, single_layer, cosine_bitmask<1>,
-                            interleaved_gradient_noise, plane_filter<2>>;
-    static constexpr preset_description description{"high", "one direction of 18 taps", choices_in<parts>};
+    using parts = part_list<half_directions<2, 8>, single_layer, cosine_bitmask<1>,
+                            interleaved_gradient_noise, separable_plane_filter<2>>;
+    static constexpr preset_description description{"high", "two directions of 8 taps", choices_in<parts>};
 };
 
 /// About 32 fetches a pixel: what one layer of depth can say.
 struct ultra {
-    using parts = part_list<half_directions<2, 15>, single_layer, cosine_bitmask<1>,
-                            interleaved_gradient_noise, separable_plane_filter<3>>;
+    using parts = part_list<half_directions<3, 10>, single_layer, cosine_bitmask<1>,
+                            interleaved_gradient_noise, separable_plane_filter<2>>;
     static constexpr preset_description description{
-        "ultra", "two directions of 15 taps: what one layer of depth can say", choices_in<parts>};
+        "ultra", "three directions of 10 taps: what one layer of depth can say", choices_in<parts>};
 };
 
-/// Layers behind the first too, which the host draws once more: its pass stands in the schedule as
+/// The four nearest layers, exactly, of what the host draws once more: its pass stands in the schedule as
 /// "capture_layers". A guard band of 5 to 10 % of the picture's width around it gives the most.
 struct ultra_layers {
-    using parts = part_list<half_directions<1, 18>, stochastic_layers<8>, cosine_bitmask<1>,
-                            interleaved_gradient_noise, plane_filter<2>>;
+    using parts = part_list<half_directions<2, 8>, layer_array<4>, cosine_bitmask<1>,
+                            interleaved_gradient_noise, separable_plane_filter<2>>;
     static constexpr preset_description description{
         "ultra_layers", "layers behind the first, which a geometry pass of the host captures",
         choices_in<parts>};

@@ -18,8 +18,8 @@ __LINE__, R"glsl("
 const int crease_most_unrolled = 128;
 const int crease_batch_size = 4;
 
-// A source that holds several sizes of texels chooses among them here.
-crease_fetched crease_fetch_tap(crease_pattern pattern, crease_receiver receiver, int step, crease_tap tap) {
+// A source that holds several sizes of texels chooses among them here, and moves the tap to the one it takes.
+crease_fetched crease_fetch_tap(crease_pattern pattern, crease_receiver receiver, int step, inout crease_tap tap) {
     return crease_fetch(tap.texel);
 }
 

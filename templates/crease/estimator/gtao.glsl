@@ -48,6 +48,12 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
     return crease_contribution(tap.inside ? nearness * crease_gtao_rise(march, receiver, to_layer) : 0.0);
 }
 
+// What a horizon hides of the lobe around the way to the eye goes with the square of its cosine.
+crease_contribution crease_fade(crease_march march, crease_receiver receiver, crease_tap tap,
+                                crease_contribution contribution, float opacity) {
+    return crease_contribution(contribution.occlusion * sqrt(opacity));
+}
+
 // Of all layers of a texel the front one rises the most; if that is below the horizon, so are the others.
 bool crease_skip_behind(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer front) {
     return !(crease_gtao_rise(march, receiver, front.position - receiver.position) > march.rise);

@@ -78,7 +78,8 @@ crease_contribution crease_fade(crease_march march, crease_receiver receiver, cr
         ? 1.0
         : march.sin_tangent * march.bias.x + march.cos_tangent * march.bias.y;
     float own = mix(start - march.sin_tangent, contribution.rise, opacity);
-    float share = own > march.rise ? (own - march.rise) / (contribution.rise - march.rise) : 0.0;
+    bool raises = contribution.rise > march.rise && own > march.rise;
+    float share = raises ? (own - march.rise) / (contribution.rise - march.rise) : 0.0;
     return crease_contribution(share * contribution.occlusion, mix(march.rise, contribution.rise, share));
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
 vec3 crease_view_position(vec2 texel, float depth);
+crease_result crease_decode(uvec4 texel);
+crease_result crease_weighted(crease_result result, float weight);
+crease_result crease_sum(crease_result a, crease_result b);
 #else
 __LINE__, R"glsl("
 #endif
@@ -33,6 +36,20 @@ float crease_plane_weight(crease_plane plane, vec2 away, float depth, vec3 norma
     alike *= alike;
     alike *= alike;
     return max(1.0 - abs(height), 0.0) * max(alike * alike, 0.2);
+}
+
+// Adds the neighbour of a pixel that is `away` from it, at the picture's edge the last: by a Gaussian whose standard
+// deviation is 3/4 of the radius, and by the tangent plane.
+void crease_plane_add(inout crease_result sum, inout float weights, crease_plane plane, ivec2 pixel, ivec2 away,
+                      int radius) {
+    float spread = -1.28239 / float(radius * radius); // log2(e) / (2 (3/4)^2)
+    ivec2 at = clamp(pixel + away, ivec2(0), crease_size(crease_divisor) - 1);
+    vec2 apart = crease_texel_of_pixel(at, crease_divisor) - crease_texel_of_pixel(pixel, crease_divisor);
+    crease_result other = crease_decode(crease_load_input(at));
+    float weight = exp2(spread * dot(vec2(away), vec2(away))) *
+        crease_plane_weight(plane, apart, other.depth, other.normal);
+    sum = crease_sum(sum, crease_weighted(other, weight));
+    weights += weight;
 }
 #ifdef __cplusplus
 ")glsl"

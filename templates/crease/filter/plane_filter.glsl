@@ -2,35 +2,25 @@
 #ifndef __cplusplus
 crease_result crease_decode(uvec4 texel);
 crease_result crease_weighted(crease_result result, float weight);
-crease_result crease_sum(crease_result a, crease_result b);
 crease_result crease_mean(crease_result sum, float weights, float depth);
 crease_plane crease_plane_at(vec2 texel, float depth, vec3 normal);
-float crease_plane_weight(crease_plane plane, vec2 away, float depth, vec3 normal);
+void crease_plane_add(inout crease_result sum, inout float weights, crease_plane plane, ivec2 pixel, ivec2 away,
+                      int radius);
 #else
 __LINE__, R"glsl("
 #endif
 
-// A square of pixels, which count by a Gaussian whose standard deviation is 3/4 of the radius, and by the tangent plane.
+// A square of pixels.
 crease_result crease_evaluate(ivec2 pixel) {
     crease_result own = crease_decode(crease_load_input(pixel));
     if (!(own.depth < 0.99 * crease_background)) // the encoding rounds it
         return own;
-    vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
-    crease_plane plane = crease_plane_at(texel, own.depth, own.normal);
-    ivec2 last = crease_size(crease_divisor) - 1;
-    const float spread = -1.28239 / float(crease_plane_filter_radius * crease_plane_filter_radius); // log2(e) / (2 (3/4)^2)
+    crease_plane plane = crease_plane_at(crease_texel_of_pixel(pixel, crease_divisor), own.depth, own.normal);
     crease_result sum = crease_weighted(own, 0.0);
     float weights = 0.0;
     for (int y = -crease_plane_filter_radius; y <= crease_plane_filter_radius; ++y)
-        for (int x = -crease_plane_filter_radius; x <= crease_plane_filter_radius; ++x) {
-            ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), last);
-            crease_result other = crease_decode(crease_load_input(at));
-            vec2 away = crease_texel_of_pixel(at, crease_divisor) - texel;
-            float weight = exp2(spread * float(x * x + y * y)) *
-                crease_plane_weight(plane, away, other.depth, other.normal);
-            sum = crease_sum(sum, crease_weighted(other, weight));
-            weights += weight;
-        }
+        for (int x = -crease_plane_filter_radius; x <= crease_plane_filter_radius; ++x)
+            crease_plane_add(sum, weights, plane, pixel, ivec2(x, y), crease_plane_filter_radius);
     return crease_mean(sum, weights, own.depth);
 }
 #ifdef __cplusplus

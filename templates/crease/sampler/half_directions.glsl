@@ -3,6 +3,7 @@
 vec3 crease_noise(ivec2 pixel);
 crease_stepped_march crease_stepped_march_begin(crease_receiver receiver, vec2 direction, float offset);
 crease_tap crease_stepped_tap(crease_stepped_march march, int step, int steps, int power);
+float crease_stepped_spacing(crease_stepped_march march, int step, int steps, int power);
 #else
 __LINE__, R"glsl("
 #endif
@@ -17,7 +18,8 @@ struct crease_pattern {
 
 crease_pattern crease_pattern_begin(crease_receiver receiver) {
     vec2 on_disk = vec2(dot(receiver.normal, receiver.tangent), dot(receiver.normal, receiver.bitangent));
-    return crease_pattern(on_disk, crease_noise(receiver.pixel), crease_stepped_march(vec2(0.0), vec2(0.0), vec2(0.0), 0.0));
+    crease_stepped_march none = crease_stepped_march(vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), 0.0);
+    return crease_pattern(on_disk, crease_noise(receiver.pixel), none);
 }
 
 int crease_direction_count() { return crease_half_directions_count; }
@@ -39,6 +41,10 @@ vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver rece
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
     return crease_stepped_tap(pattern.march, step, crease_half_directions_steps, crease_half_directions_power);
+}
+
+float crease_tap_spacing(crease_pattern pattern, crease_receiver receiver, int step) {
+    return crease_stepped_spacing(pattern.march, step, crease_half_directions_steps, crease_half_directions_power);
 }
 #ifdef __cplusplus
 ")glsl"

@@ -9,13 +9,16 @@ struct crease_stepped_march {
     vec2 receiver; // its texel
     vec2 first;    // texels: where it begins; rounded down it is the texel
     vec2 radius;   // texels: the way to the radius
+    vec2 ahead;    // texels: unit, across the line of the receiver on one side of which the half slice is
     float offset;  // of step 0, in steps
 };
 
 crease_stepped_march crease_stepped_march_begin(crease_receiver receiver, vec2 direction, float offset) {
     vec2 radius = receiver.disk * direction;
     vec2 texel = radius * inversesqrt(max(dot(radius, radius), 1e-20));
-    return crease_stepped_march(receiver.texel, receiver.texel + 0.5 + texel, radius,
+    vec2 line = receiver.disk * vec2(-direction.y, direction.x), ahead = vec2(line.y, -line.x);
+    ahead *= inversesqrt(max(dot(line, line), 1e-20)) * sign(dot(ahead, radius));
+    return crease_stepped_march(receiver.texel, receiver.texel + 0.5 + texel, radius, ahead,
                                 max(offset, 1e-4)); // gaps are shares of it
 }
 
@@ -26,8 +29,16 @@ crease_tap crease_stepped_tap(crease_stepped_march march, int step, int steps, i
         density *= along;
     float distance = density * along;
     vec2 texel = clamp(floor(march.first + march.radius * distance), vec2(0.0), crease_depth_size() - 1.0);
-    bool inside = any(notEqual(texel, march.receiver)); // at the picture's edge it may find the receiver
+    bool inside = dot(texel - march.receiver, march.ahead) > 0.5; // else the edge has moved it out of the half slice
     return crease_tap(texel, inside, density, distance, float(power) * scale / along);
+}
+
+// Texels from a step to the next.
+float crease_stepped_spacing(crease_stepped_march march, int step, int steps, int power) {
+    float along = (float(step) + march.offset) / float(steps), spacing = float(power) / float(steps);
+    for (int i = 1; i < power; ++i)
+        spacing *= along;
+    return spacing * length(march.radius);
 }
 #ifdef __cplusplus
 ")glsl"

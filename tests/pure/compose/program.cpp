@@ -43,7 +43,7 @@ void check_pass(const pass& each) {
     const std::string_view does = each.takes_surfaces
                                       ? "void crease_capture(vec3 anchor, vec3 normal, vec4 color) {"
                                   : each.stage == stage_kind::geometry ? "void crease_capture(vec3 anchor) {"
-                                  : builds                           ? "void crease_build"
+                                  : builds                             ? "void crease_build"
                                            : "crease_result crease_evaluate(ivec2 pixel) {";
     CHECK(count_of(text, does) >= 1);
     CHECK(count_of(text, "#version") == (has_main(each) ? 1 : 0));

@@ -212,8 +212,8 @@ crease_layers crease_fetch_first_layers(vec2 texel) { return crease_fetch_layers
 
 crease_fetched crease_fetch(vec2 texel) { return crease_fetched(crease_fetch_first_layers(texel)); }
 
-// A source that holds several sizes of texels chooses among them here.
-crease_fetched crease_fetch_tap(crease_pattern pattern, crease_receiver receiver, int step, crease_tap tap) {
+// A source that holds several sizes of texels chooses among them here, and moves the tap to the one it takes.
+crease_fetched crease_fetch_tap(crease_pattern pattern, crease_receiver receiver, int step, inout crease_tap tap) {
     return crease_fetch(tap.texel);
 }
 

@@ -22,7 +22,7 @@ inline constexpr glsl_file depth_pyramid_level_glsl{
 };
 
 struct depth_pyramid_part {
-    using needs = traits<screen_taps>;
+    using needs = traits<movable_taps>;
     static constexpr number takes[] = {
         {"levels", 2, 12, 6, "mip levels, fewer where the picture has no more"},
         {"nearest", 0, 1, 0, "a texel of a level holds of four texels 0: the first; 1: the nearest"}};

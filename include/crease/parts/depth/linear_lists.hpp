@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/parts/depth/fragments.hpp>
+#include <crease/parts/depth/surfaces.hpp>
 #include <crease/parts/storage/captures.hpp>
 
 namespace crease {
@@ -46,40 +46,76 @@ inline constexpr glsl_file linear_lists_sort_glsl{
 #include <crease/depth/linear_lists_sort.glsl>
 };
 
+inline constexpr glsl_file linear_surfaces_count_glsl{
+    "depth/linear_surfaces_count.glsl",
+#include <crease/depth/linear_surfaces_count.glsl>
+};
+
+inline constexpr glsl_file linear_surfaces_draw_glsl{
+    "depth/linear_surfaces_draw.glsl",
+#include <crease/depth/linear_surfaces_draw.glsl>
+};
+
+inline constexpr glsl_file linear_surfaces_range_glsl{
+    "depth/linear_surfaces_range.glsl",
+#include <crease/depth/linear_surfaces_range.glsl>
+};
+
+inline constexpr glsl_file linear_surfaces_sort_glsl{
+    "depth/linear_surfaces_sort.glsl",
+#include <crease/depth/linear_surfaces_sort.glsl>
+};
+
 struct linear_lists_part {
     static constexpr number takes[] = {fragment_layers_number, pool_nodes_number, capture_places[0],
                                        capture_places[1], capture_places[2]};
-    static constexpr resource owns[] = {
-        {.name = "nearest_fragments",
-         .texels = format::r32_uint,
-         .life = lifetime::transient,
-         .size = {.guarded = true},
-         .read = access::load,
-         .cleared = true,
-         .clear = ~0u},
-        {.name =
-             "list_places", // how many fragments are counted, then where the list ends; how many are stored
-         .texels = format::r32_uint,
-         .life = lifetime::transient,
-         .size = {.guarded = true},
-         .layers = 2,
-         .arrayed = true,
-         .read = access::load,
-         .cleared = true},
-        {.name = "column_starts",
-         .kind = resource_kind::buffer,
-         .element = "uint",
-         .life = lifetime::transient,
-         .size = {.guarded = true, .fixed_height = 1}},
-        {.name = "list_nodes",
-         .kind = resource_kind::buffer,
-         .element = "uint",
-         .life = lifetime::transient,
-         .size = {.guarded = true},
-         .shape = shape_pool},
-        fragments_beyond_pool,
-        fragments_beyond_layers,
-        packed_layers};
+    static constexpr void shape_nodes(resource& own, const shape_of& effect) {
+        shape_pool(own, effect);
+        if (effect.needs(&layers_with_opacity::value)) {
+            own.element = "uvec4";
+            ++own.layers;
+        }
+    }
+    static constexpr void shape_places(resource& own, const shape_of& effect) {
+        if (effect.needs(&layers_with_opacity::value))
+            own.layers = 3;
+    }
+    static constexpr resource owns[] = {{.name = "nearest_fragments",
+                                         .texels = format::r32_uint,
+                                         .life = lifetime::transient,
+                                         .size = {.guarded = true},
+                                         .read = access::load,
+                                         .cleared = true,
+                                         .clear = ~0u},
+                                        // How many fragments are counted, and then where the list ends; how
+                                        // many are stored; with opacity whether the nearest is.
+                                        {.name = "list_places",
+                                         .texels = format::r32_uint,
+                                         .life = lifetime::transient,
+                                         .size = {.guarded = true},
+                                         .layers = 2,
+                                         .arrayed = true,
+                                         .read = access::load,
+                                         .cleared = true,
+                                         .shape = shape_places},
+                                        {.name = "column_starts",
+                                         .kind = resource_kind::buffer,
+                                         .element = "uint",
+                                         .life = lifetime::transient,
+                                         .size = {.guarded = true, .fixed_height = 1}},
+                                        {.name = "list_nodes",
+                                         .kind = resource_kind::buffer,
+                                         .element = "uint",
+                                         .life = lifetime::transient,
+                                         .size = {.guarded = true},
+                                         .shape = shape_nodes},
+                                        fragments_beyond_pool,
+                                        fragments_beyond_layers,
+                                        packed_layers,
+                                        packed_opacities,
+                                        layer_surfaces,
+                                        compressed_layers,
+                                        compressed_normals};
     static constexpr const glsl_file* counting[] = {&linear_lists_count_glsl};
     static constexpr const glsl_file* column_files[] = {&linear_lists_columns_glsl, &count_before_glsl};
     static constexpr const glsl_file* row_files[] = {&linear_lists_row_glsl, &count_before_glsl};
@@ -88,14 +124,23 @@ struct linear_lists_part {
     static constexpr const glsl_file* packing[] = {&pack_fragments_glsl, &linear_lists_sort_glsl,
                                                    &linear_lists_range_glsl, &insert_fragment_glsl,
                                                    &fragments_glsl};
+    static constexpr const glsl_file* counting_surfaces[] = {&linear_surfaces_count_glsl, &fragment_key_glsl};
+    static constexpr const glsl_file* drawing_surfaces[] = {
+        &linear_surfaces_draw_glsl, &linear_surfaces_range_glsl, &encoding_surface_normal_glsl,
+        &encoding_octahedron_glsl};
+    static constexpr const glsl_file* packing_surfaces[] = {&pack_surfaces_glsl, &linear_surfaces_sort_glsl,
+                                                            &linear_surfaces_range_glsl,
+                                                            &surface_fragments_glsl};
+    static constexpr std::string_view counted[] = {"list_places", "nearest_fragments"};
     static constexpr std::string_view places[] = {"list_places"}, starts[] = {"column_starts"};
     static constexpr std::string_view drawn[] = {"nearest_fragments", "list_places", "list_nodes",
                                                  "fragments_beyond_pool"};
     static constexpr role required[] = {role::scan};
     static constexpr step passes[] = {{.name = "count_fragments",
                                        .files = counting,
+                                       .widened = {&layers_with_opacity::value, counting_surfaces},
                                        .kind = step_kind::geometry,
-                                       .writes = places,
+                                       .writes = counted,
                                        .how = access::modify},
                                       {.name = "sum_columns",
                                        .files = column_files,
@@ -110,13 +155,15 @@ struct linear_lists_part {
                                        .group_height = 1},
                                       {.name = "capture_layers",
                                        .files = drawing,
+                                       .widened = {&layers_with_opacity::value, drawing_surfaces},
                                        .kind = step_kind::geometry,
                                        .writes = drawn,
                                        .how = access::modify},
                                       {.name = "pack_layers",
                                        .files = packing,
+                                       .widened = {&layers_with_opacity::value, packing_surfaces},
                                        .kind = step_kind::texels,
-                                       .writes = fills_packed_layers_counting,
+                                       .writes = fills_surfaces_counting,
                                        .how = access::modify}};
     static constexpr const glsl_file* files[] = {&linear_lists_glsl, &sided_layers_glsl, &packed_layers_glsl};
     static constexpr part description{
@@ -125,10 +172,11 @@ struct linear_lists_part {
         .summary = "all fragments in a bounded pool, those of a texel side by side; the nearest are sorted",
         .source = "a-buffer-ssao 2013, IV.B",
         .files = files,
+        .widened = {&layers_with_opacity::value, surface_files},
         .numbers = takes,
         .resources = owns,
         .steps = passes,
-        .offers = traits<depth_layers, layers_behind_front>::list,
+        .offers = traits<depth_layers, layers_behind_front, layers_with_opacity>::list,
         .required_roles = required,
     };
 };
@@ -136,9 +184,9 @@ struct linear_lists_part {
 /// Depth source: all fragments, front and back faces told apart, side by side in a list for each texel, of
 /// which the `Layers` nearest are sorted for the taps. The host draws its geometry twice: the passes
 /// `count_fragments` and `capture_layers` must meet the same fragments, and between them prefix sums place
-/// the lists in a pool of `Nodes` for each texel; the nearest fragment of a texel needs none. What finds the
-/// pool full, those of the right columns first, and what is farther than the layers, is counted. The other
-/// numbers place the bindings and constants of both passes among those of the host's geometry pass.
+/// the lists in a pool of `Nodes` for each texel, beside which the nearest fragment of each has a place. What
+/// finds the pool full, those of the right columns first, and what is farther than the layers, is counted.
+/// The other numbers place the bindings and constants of both passes among those of the host's geometry pass.
 template <int Layers = 8, int Nodes = 8, int Set = 0, int FirstBinding = 0, int FirstConstant = 0>
 struct linear_lists : linear_lists_part {
     static constexpr int numbers[] = {Layers, Nodes, Set, FirstBinding, FirstConstant};

@@ -70,7 +70,9 @@ struct linked_lists_part {
         fragments_beyond_layers,
         packed_layers,
         packed_opacities,
-        layer_surfaces};
+        layer_surfaces,
+        compressed_layers,
+        compressed_normals};
     static constexpr const glsl_file* drawing_surfaces[] = {
         &linked_surfaces_draw_glsl, &encoding_surface_normal_glsl, &encoding_octahedron_glsl};
     static constexpr const glsl_file* packing_surfaces[] = {&pack_surfaces_glsl, &linked_surfaces_sort_glsl,

@@ -53,9 +53,36 @@ inline constexpr resource layer_surfaces{.name = "layer_surfaces",
                                          .read = access::load,
                                          .shape = shape_fragment_layers};
 
-/// What the packing pass of a source of lists fills, with or without surfaces.
-inline constexpr std::string_view fills_surfaces_counting[] = {"packed_layers", "packed_opacities",
-                                                               "layer_surfaces", "fragments_beyond_layers"};
+constexpr void shape_compressed_layers(resource& own, const shape_of& effect) {
+    own.layers = static_cast<unsigned>((effect.number_of(role::layer_compression, "nodes") + 3) / 4);
+}
+constexpr void shape_compressed_normals(resource& own, const shape_of& effect) {
+    shape_compressed_layers(own, effect);
+    own.layers *= 2;
+}
+
+/// What a layer compression keeps of a texel: depths and opacities in groups of four, and with
+/// `compressed_normals` their normals.
+inline constexpr resource compressed_layers{.name = "compressed_layers",
+                                            .texels = format::rgba32_uint,
+                                            .life = lifetime::transient,
+                                            .size = {.guarded = true},
+                                            .arrayed = true,
+                                            .read = access::load,
+                                            .shape = shape_compressed_layers};
+/// What receivers read beside these.
+inline constexpr resource compressed_normals{.name = "compressed_normals",
+                                             .texels = format::r32_uint,
+                                             .life = lifetime::transient,
+                                             .size = {.guarded = true},
+                                             .arrayed = true,
+                                             .read = access::load,
+                                             .shape = shape_compressed_normals};
+
+/// What the packing pass of a source of lists fills, with or without surfaces, compressed or not.
+inline constexpr std::string_view fills_surfaces_counting[] = {
+    "packed_layers",     "packed_opacities",   "layer_surfaces",
+    "compressed_layers", "compressed_normals", "fragments_beyond_layers"};
 
 /// The GLSL of such a source for all passes.
 inline constexpr const glsl_file* surface_files[] = {&surface_layers_glsl, &encoding_surface_normal_glsl,

@@ -12,7 +12,7 @@ inline constexpr glsl_file upsample_glsl{
 };
 
 struct upsample_part {
-    using needs = traits<handed_on_normals>;
+    using needs = traits<handed_on_normals, any_resolution>;
     static constexpr number takes[] = {{"factor", 2, 8, 2, "how much smaller the sides of the input are"}};
     static constexpr setting reads[] = {plane_reach_setting};
     static constexpr const glsl_file* files[] = {&encoding_normal_glsl, &plane_glsl};

@@ -56,7 +56,7 @@ struct bent_cone {
         .files = files,
         .resources = images,
         .needs = needs::list,
-        .offers = traits<handed_on_normals>::list,
+        .offers = traits<handed_on_normals, any_resolution>::list,
     };
 };
 

@@ -29,6 +29,10 @@ inline constexpr resource visibility_image{.name = "visibility",
 /// `normal` in crease_result, which is handed on where a filter needs it.
 CREASE_TRAIT(handed_on_normals, output, "the filter weighs by normals, and the output hands on none");
 
+/// Results that a filter may take the mean of for pixels between theirs.
+CREASE_TRAIT(any_resolution, output,
+             "the filter makes the picture larger, and the output blends colours, which have a pixel each");
+
 /// The format that filters give what passes hand on: wide enough for the normal too, where one needs it.
 constexpr void shape_between(resource& own, const shape_of& effect) {
     if (effect.needs(&handed_on_normals::value))

@@ -37,7 +37,7 @@ struct packed_bent_cone {
         .files = files,
         .resources = images,
         .needs = needs::list,
-        .offers = traits<handed_on_normals>::list,
+        .offers = traits<handed_on_normals, any_resolution>::list,
     };
 };
 

@@ -38,7 +38,7 @@ struct shade_part {
         .files = files,
         .numbers = takes,
         .resources = images,
-        .offers = traits<handed_on_normals>::list,
+        .offers = traits<handed_on_normals, any_resolution>::list,
     };
 };
 

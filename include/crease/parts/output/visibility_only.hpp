@@ -22,7 +22,7 @@ struct visibility_only {
         .source = "stochastic-depth-ao 2020, 2.2",
         .files = files,
         .resources = images,
-        .offers = traits<handed_on_normals>::list,
+        .offers = traits<handed_on_normals, any_resolution>::list,
     };
 };
 

@@ -25,7 +25,7 @@ struct directions_part {
         .source = "stochastic-depth-ao 2020, 4.2, Algorithms 2 and 3",
         .files = files,
         .numbers = takes,
-        .offers = traits<screen_taps, ordered_taps, slice_taps, known_directions>::list,
+        .offers = traits<screen_taps, ordered_taps, slice_taps, movable_taps, known_directions>::list,
     };
 };
 

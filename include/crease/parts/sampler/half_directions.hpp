@@ -25,7 +25,7 @@ struct half_directions_part {
         .source = "importance sampling of the cosine lobe's azimuths",
         .files = files,
         .numbers = takes,
-        .offers = traits<slice_taps, known_directions>::list,
+        .offers = traits<slice_taps, movable_taps, known_directions>::list,
     };
 };
 

@@ -20,7 +20,7 @@ struct poisson_disk_part {
         .source = "a-buffer-ssao 2013, V A",
         .files = files,
         .numbers = takes,
-        .offers = traits<screen_taps>::list,
+        .offers = traits<screen_taps, movable_taps>::list,
     };
 };
 

@@ -26,7 +26,7 @@ struct slices_part {
         .source = "Jimenez et al. 2016, Practical Realtime Strategies for Accurate Indirect Occlusion",
         .files = files,
         .numbers = takes,
-        .offers = traits<screen_taps, ordered_taps, slice_taps, known_directions>::list,
+        .offers = traits<screen_taps, ordered_taps, slice_taps, movable_taps, known_directions>::list,
     };
 };
 

@@ -20,7 +20,7 @@ struct tap_grid_part {
         .source = "Hoang and Low 2010, Multi-Resolution Screen-Space Ambient Occlusion",
         .files = files,
         .numbers = takes,
-        .offers = traits<screen_taps>::list,
+        .offers = traits<screen_taps, movable_taps>::list,
     };
 };
 

@@ -18,6 +18,10 @@ CREASE_TRAIT(ordered_taps, sampler,
 CREASE_TRAIT(slice_taps, sampler,
              "the estimator needs taps in order along half slices, which the sampler does not propose");
 
+/// Taps each of which may look at a texel near its own instead.
+CREASE_TRAIT(movable_taps, sampler,
+             "the depth source moves taps to texels near their own, which taps of the sampler do not allow");
+
 /// Taps at points of view space that fill a sphere or a hemisphere around the receiver.
 CREASE_TRAIT(point_taps, sampler,
              "the estimator needs taps at points in space, which the sampler does not propose");

@@ -51,6 +51,7 @@ TEST_CASE("depth_pyramid is fetched also where others are loaded, as a storage i
 
 TEST_CASE("depth_pyramid takes taps on the screen") {
     CHECK(recipe("poisson_disk:9/depth_pyramid/hbao_plus"));
+    CHECK(recipe("half_directions/depth_pyramid/cosine_bitmask"));
     CHECK_FALSE(recipe("hemisphere_points:9/depth_pyramid/ssao"));
     CHECK_FALSE(recipe("directions:8x4/depth_pyramid:1/hbao"));
     CHECK_FALSE(recipe("directions:8x4/depth_pyramid:4x2/hbao"));

@@ -79,3 +79,17 @@ TEST_CASE("the scan is a part, and the main pass reads what is packed alone") {
     CHECK(contains(listed::source<5>(), "crease_load_packed_layers"));
     CHECK_FALSE(contains(listed::source<5>(), "crease_list_nodes"));
 }
+
+TEST_CASE("with opacity the count finds the nearest, which has a node of its own") {
+    using seen = effect<directions<2, 4>, linear_lists<6, 5>, hbao, every_layer>;
+    const auto of = [](std::string_view name) {
+        return *std::ranges::find(seen::resources, name, &resource::name);
+    };
+    CHECK(of("list_nodes").element == "uvec4");
+    CHECK(of("list_nodes").layers == 6);
+    CHECK(of("list_places").layers == 3);
+    CHECK(seen::passes[0].bindings.size() == 3); // and the block, for the depth
+    CHECK(seen::passes[0].takes_surfaces);
+    CHECK(seen::passes[3].takes_surfaces);
+    CHECK_FALSE(listed::passes[0].takes_surfaces);
+}

@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: MIT
+// Occlusion by opacity, of every layer: a-buffer-ssao 2013, III, equations (1) to (4).
+#include "abuffer.hpp"
+#include "effect.hpp"
+
+#include <doctest/doctest.h>
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace {
+
+using oracle::lens;
+using oracle::picture;
+using oracle::receiver;
+using oracle::settings;
+using oracle::surface_fragment;
+using oracle::tap;
+using surfaces = std::vector<std::vector<surface_fragment>>;
+using all_taps = std::vector<std::vector<tap>>;
+
+constexpr int width = 40, height = 24;
+constexpr double radius = 2;
+
+picture seen(lens kind = lens::standard) {
+    picture p;
+    p.width = width;
+    p.height = height;
+    p.projection = oracle::make_projection(kind, static_cast<double>(width) / height);
+    return p;
+}
+
+double opacity_of(const surface_fragment& s) {
+    return static_cast<double>(s.color >> 24) / 255;
+}
+
+glm::dvec3 position_of(const picture& p, int x, int y, const surface_fragment& s) {
+    glm::dvec3 origin, direction;
+    p.ray({x + 0.5, y + 0.5}, origin, direction);
+    return origin + direction * ((-s.depth - origin.z) / direction.z);
+}
+
+/// The occlusion of a receiver by the layers at its taps, each by its opacity.
+using occlusion_of = std::function<double(const picture& p, const receiver& r, const settings& s,
+                                          const all_taps& taps, const surfaces& layers)>;
+
+double hbao_plus(const picture& p, const receiver& r, const settings& s, const all_taps& taps,
+                 const surfaces& layers) {
+    double occlusion = 0, weights = 0;
+    for (const std::vector<tap>& direction : taps)
+        for (const tap& t : direction) {
+            double most = 0;
+            for (const surface_fragment& layer : layers[p.index(t.x, t.y)]) {
+                const glm::dvec3 v = position_of(p, t.x, t.y, layer) - r.position;
+                const double length = glm::length(v);
+                if (length < s.radius)
+                    most = std::max(most, opacity_of(layer) * (1 - length * length / (s.radius * s.radius)) *
+                                              std::max(glm::dot(v, r.normal) / length - s.bias, 0.0));
+            }
+            occlusion += t.weight * most;
+            weights += t.weight;
+        }
+    return weights > 0 ? occlusion / weights : 0;
+}
+
+/// A layer reaches that share of its height over the beginning of the horizon.
+double hbao(const picture& p, const receiver& r, const settings& s, const all_taps& taps,
+            const surfaces& layers) {
+    double occlusion = 0;
+    for (const std::vector<tap>& direction : taps) {
+        if (direction.empty())
+            continue;
+        const double tangent = oracle::tangent_angle(r, direction[0].azimuth);
+        const double start = std::sin(std::min(tangent + s.bias, glm::half_pi<double>())) - std::sin(tangent);
+        double highest = start;
+        for (const tap& t : direction) {
+            double most = 0, horizon = highest;
+            for (const surface_fragment& layer : layers[p.index(t.x, t.y)]) {
+                const glm::dvec3 v = position_of(p, t.x, t.y, layer) - r.position;
+                const double length = glm::length(v), above = oracle::rise_over_tangent(r, v);
+                const double reached = start + opacity_of(layer) * (above - start);
+                const double occludes = (1 - length * length / (s.radius * s.radius)) * (reached - highest);
+                if (above > highest && length < s.radius && glm::dot(v, r.normal) / length > s.threshold &&
+                    occludes > most) {
+                    most = occludes;
+                    horizon = reached;
+                }
+            }
+            occlusion += most;
+            highest = horizon;
+        }
+    }
+    return occlusion / static_cast<double>(taps.size());
+}
+
+/// What is seen of every layer, by the oracle.
+struct seen_layers {
+    std::vector<double> visibility;
+    std::vector<double> integrated, separated; ///< colours times opacity, and opacity
+};
+
+seen_layers expected_of(const surfaces& layers, const settings& s, bool thin, const occlusion_of& estimate) {
+    const picture p = seen();
+    seen_layers all;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            double occluded = 0, through = 1;
+            glm::dvec3 darkened(0), blended(0);
+            for (const surface_fragment& layer : layers[p.index(x, y)]) {
+                receiver r{x, y, x, y, position_of(p, x, y, layer), layer.normal, {}};
+                r.to_eye = p.to_eye(r.position);
+                const bool front = glm::dot(layer.normal, r.to_eye) > 0;
+                const all_taps taps = oracle::directions(p, r, s, 5, 4);
+                const auto occlusion = [&](glm::dvec3 normal) { // from the side that it points to
+                    receiver side = r;
+                    side.normal = normal;
+                    if (glm::dot(normal, r.to_eye) < 0)
+                        side.to_eye = -r.to_eye;
+                    const double visible =
+                        std::pow(std::clamp(1 - s.strength * estimate(p, side, s, taps, layers), 0.0, 1.0),
+                                 s.exponent);
+                    return 1 - visible;
+                };
+                const double alpha = opacity_of(layer);
+                double own = occlusion(front ? layer.normal : -layer.normal);
+                if (thin) {
+                    const double weight = front ? alpha : 1 - alpha; // (3)
+                    own = weight * occlusion(layer.normal) + (1 - weight) * occlusion(-layer.normal);
+                }
+                const glm::dvec3 color(layer.color & 255u, layer.color >> 8 & 255u, layer.color >> 16 & 255u);
+                darkened += through * alpha * (1 - own) * color / 255.0;
+                blended += through * alpha * color / 255.0;
+                occluded += through * alpha * own;
+                through *= 1 - alpha;
+            }
+            all.visibility.push_back(1 - occluded);
+            blended *= 1 - occluded;
+            all.integrated.insert(all.integrated.end(), {darkened.r, darkened.g, darkened.b, 1 - through});
+            all.separated.insert(all.separated.end(), {blended.r, blended.g, blended.b, 1 - through});
+        }
+    return all;
+}
+
+struct case_of {
+    std::string estimator;
+    occlusion_of occlusion;
+    double bias;
+};
+
+const case_of cases[] = {{"hbao_plus", hbao_plus, 0}, {"hbao", hbao, 0}};
+
+std::unique_ptr<oracle::fragment_capture> run(const std::string& recipe, const oracle::triangles& drawn,
+                                              const std::array<std::uint32_t, 16>& colors) {
+    auto capture =
+        std::make_unique<oracle::fragment_capture>(recipe, width, height, lens::standard, "visibility");
+    capture->set("radius", radius);
+    capture->draw(drawn, colors);
+    return capture;
+}
+
+/// Sixteen times a colour of this opacity.
+std::array<std::uint32_t, 16> all_of(std::uint32_t opacity) {
+    std::array<std::uint32_t, 16> colors;
+    colors.fill(0x808080u | opacity << 24);
+    return colors;
+}
+
+}
+
+TEST_CASE("every layer against the oracle: occlusion by opacity, blended front to back") {
+    const oracle::triangles drawn = oracle::soup(40, 3);
+    for (const case_of& each : cases)
+        for (const bool thin : {false, true}) {
+            CAPTURE(each.estimator);
+            CAPTURE(thin);
+            const auto made = run("directions:5x4/linked_lists:32x64/" + each.estimator +
+                                      (thin ? "/thin_layers" : "/every_layer") + "/r32f",
+                                  drawn, oracle::every_color());
+            settings s = oracle::settings_of(made->parameters(), made->effect());
+            const std::vector<double> expected =
+                expected_of(made->surfaces(), s, thin, each.occlusion).visibility;
+            const std::vector<float> found = made->runner().download("visibility");
+            CHECK(*std::ranges::min_element(found) < 0.8f);
+            oracle::check_within(oracle::compare(found, expected, width), oracle::of_rounding);
+        }
+}
+
+TEST_CASE("opacity 1 everywhere is the occlusion of the first surface by all layers") {
+    const oracle::triangles drawn = oracle::soup(40, 9);
+    for (const std::string parts :
+         {"directions:5x4/linked_lists:32x64/hbao", "directions:5x4/linked_lists:32x64/hbao_plus",
+          "slices:3x4/linked_lists:32x64/gtao", "slices:3x4/linked_lists:32x64/visibility_bitmask",
+          "slices:4x8/linked_lists:32x64/cosine_bitmask:0x0",
+          "slices:4x8/linked_lists:32x64/cosine_bitmask:1x1", "slices:4x8/linked_lists:3x64/cosine_bitmask",
+          "hemisphere_points:12/linked_lists:32x64/ssao", "sphere_points:12/linked_lists:32x64/point_volume",
+          "sphere_lines:12/linked_lists:32x64/line_volume"}) {
+        CAPTURE(parts);
+        const auto of_layers = run(parts + "/every_layer/r32f", drawn, all_of(255));
+        const surfaces layers = of_layers->surfaces();
+        std::vector<float> depth, normals;
+        for (std::size_t at = 0; at < layers.size(); ++at) {
+            const picture p = seen();
+            const auto x = static_cast<int>(at) % width, y = static_cast<int>(at) / width;
+            glm::dvec3 normal(0, 0, 1);
+            if (!layers[at].empty()) {
+                normal = layers[at][0].normal;
+                if (glm::dot(normal, p.to_eye(position_of(p, x, y, layers[at][0]))) < 0)
+                    normal = -normal;
+            }
+            depth.push_back(layers[at].empty() ? 0 : static_cast<float>(layers[at][0].depth));
+            for (int i = 0; i < 3; ++i)
+                normals.push_back(static_cast<float>(normal[i]));
+            normals.push_back(0);
+        }
+        oracle::fragment_capture first(parts + "/r32f", width, height, lens::standard, "visibility", {}, {},
+                                       "given_normals");
+        first.set("radius", radius);
+        first.runner().upload("depth", depth);
+        first.runner().upload("normal", normals);
+        first.draw(drawn);
+        const std::vector<float> expected = first.runner().download("visibility");
+        oracle::check_within(oracle::compare(of_layers->runner().download("visibility"),
+                                             std::vector<double>(expected.begin(), expected.end()), width),
+                             oracle::of_rounding);
+    }
+}
+
+TEST_CASE("opacity 0 neither casts nor receives") {
+    const oracle::triangles some = oracle::soup(20, 9), others = oracle::soup(20, 10);
+    oracle::triangles both;
+    for (std::size_t t = 0; t < some.size(); t += 3)
+        for (const oracle::triangles* each : {&some, &others})
+            both.insert(both.end(), each->begin() + static_cast<std::ptrdiff_t>(t),
+                        each->begin() + static_cast<std::ptrdiff_t>(t) + 3);
+    std::array<std::uint32_t, 16> colors = all_of(150);
+    for (std::size_t i = 1; i < colors.size(); i += 2)
+        colors[i] &= 0xffffffu;
+    const std::string recipe = "directions:5x4/linked_lists:16x64/hbao/thin_layers/r32f";
+    const auto alone = run(recipe, some, all_of(150)), beside = run(recipe, both, colors);
+    CHECK(beside->runner().download("visibility") == alone->runner().download("visibility"));
+    CHECK(beside->runner().download("visibility") !=
+          run(recipe, both, all_of(150))->runner().download("visibility"));
+}
+
+TEST_CASE("the more opaque an occluder, the less visible what it stands before") {
+    oracle::triangles drawn = oracle::wall(5);
+    oracle::add_quad(drawn, {-1, -0.8f, -4.2f}, {1.2f, 0, 0}, {0, 1.6f, 0});
+    for (const std::string parts :
+         {"directions:8x8/linked_lists:4x8/hbao", "directions:8x8/linked_lists:4x8/hbao_plus",
+          "slices:8x8/linked_lists:4x8/gtao", "slices:16x8/linked_lists:4x8/visibility_bitmask",
+          "half_directions:16x8/linked_lists:4x8/cosine_bitmask:0x0",
+          "half_directions:16x8/linked_lists:4x8/cosine_bitmask:1x0",
+          "hemisphere_points:32/linked_lists:4x8/ssao", "sphere_points:32/linked_lists:4x8/point_volume",
+          "sphere_lines:32/linked_lists:4x8/line_volume"}) {
+        CAPTURE(parts);
+        oracle::fragment_capture capture(parts + "/every_layer/r32f", width, height, lens::standard,
+                                         "visibility");
+        capture.set("radius", radius);
+        std::vector<std::vector<float>> pictures;
+        std::vector<double> occluded;
+        std::vector<bool> wall; // where nothing stands before it
+        constexpr std::uint32_t opacities[] = {1, 32, 64, 100, 128, 180, 220, 254, 255};
+        for (std::uint32_t opacity : opacities) {
+            std::array<std::uint32_t, 16> colors = all_of(255);
+            colors[2] = colors[3] = 0x808080u | opacity << 24;
+            capture.draw(drawn, colors);
+            pictures.push_back(capture.runner().download("visibility"));
+            if (wall.empty())
+                for (const std::vector<surface_fragment>& list : capture.surfaces())
+                    wall.push_back(list.size() == 1);
+            occluded.push_back(0);
+            for (std::size_t at = 0; at < wall.size(); ++at)
+                occluded.back() += wall[at] ? 1 - double{pictures.back()[at]} : 0;
+        }
+        REQUIRE(std::ranges::count(wall, true) > width * height / 2);
+        REQUIRE(occluded.back() > 1);
+        std::size_t brighter = 0;
+        for (std::size_t i = 1; i < pictures.size(); ++i)
+            for (std::size_t at = 0; at < wall.size(); ++at)
+                brighter += wall[at] && pictures[i][at] > pictures[i - 1][at] + 1e-5f;
+        CHECK(brighter == 0);
+        for (std::size_t i = 0; i < occluded.size(); ++i) {
+            CAPTURE(opacities[i]);
+            CAPTURE(occluded[i] / occluded.back());
+            CHECK(std::abs(occluded[i] / occluded.back() - opacities[i] / 255.0) < 0.1);
+        }
+    }
+}
+
+TEST_CASE(
+    "layers are blended in order, their colours darkened by their own visibility or by the blended one") {
+    const oracle::triangles drawn = oracle::soup(40, 3);
+    const std::string parts = "directions:5x4/linked_lists:32x64/hbao_plus/";
+    const auto integrated = run(parts + "composite:0/r32f", drawn, oracle::every_color()),
+               separated = run(parts + "composite:1/r32f", drawn, oracle::every_color());
+    const settings s = oracle::settings_of(integrated->parameters(), integrated->effect());
+    const seen_layers expected = expected_of(integrated->surfaces(), s, false, hbao_plus);
+    const std::vector<float> one = integrated->runner().download("color"),
+                             other = separated->runner().download("color");
+    CHECK(integrated->runner().download("visibility") == separated->runner().download("visibility"));
+    for (const auto& [found, wanted] :
+         {std::pair{&one, &expected.integrated}, {&other, &expected.separated}}) {
+        REQUIRE(found->size() == wanted->size());
+        std::size_t apart = 0;
+        double mean = 0;
+        for (std::size_t i = 0; i < found->size(); ++i) {
+            const double d = std::abs(double{(*found)[i]} - (*wanted)[i]);
+            apart += d > 0.004;
+            mean += d / static_cast<double>(found->size());
+        }
+        CHECK(apart * 100 <= found->size());
+        CHECK(mean < 0.0007);
+    }
+    double difference = 0, most = 0;
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        const double d = std::abs(double{one[i]} - double{other[i]});
+        most = std::max(most, d);
+        difference += d * d / static_cast<double>(one.size());
+    }
+    MESSAGE("separated against integrated: RMSE " << std::sqrt(difference) << ", at most " << most);
+    CHECK(std::sqrt(difference) < 0.05);
+}
+
+TEST_CASE("the interior of a hull sees what stands behind it") {
+    constexpr double apart = 0.5, alpha = 128 / 255.0;
+    oracle::triangles drawn = oracle::wall(3);
+    const oracle::triangles behind = oracle::wall(static_cast<float>(3 + apart));
+    drawn.insert(drawn.end(), behind.begin(), behind.end());
+    std::array<std::uint32_t, 16> colors = all_of(255);
+    colors[0] = colors[1] = 0x80808080u;
+    for (const std::string parts :
+         {"slices:8x8/linked_lists:4x8/gtao", "half_directions:8x8/linked_lists:4x8/cosine_bitmask:0x0",
+          "half_directions:8x8/linked_lists:4x8/cosine_bitmask"}) {
+        CAPTURE(parts);
+        const auto solid = run(parts + "/every_layer/r32f", drawn, colors),
+                   thin = run(parts + "/thin_layers/r32f", drawn, colors);
+        const std::size_t middle = height / 2 * width + width / 2;
+        const double both = double{thin->runner().download("visibility")[middle]},
+                     one = double{solid->runner().download("visibility")[middle]};
+        const double interior = 1 - (one - both) / (alpha * (1 - alpha));
+        // The wall behind is within the radius in all directions up to the angle of this cosine.
+        const double beyond = apart / radius;
+        CHECK(std::abs(interior - beyond * beyond) < 0.15);
+    }
+}

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// Depth sources that keep surfaces against all fragments of the triangles: a-buffer-ssao 2013, IV.
+#include "abuffer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace {
+
+using oracle::fragment;
+using oracle::lens;
+using oracle::surface_fragment;
+using surfaces = std::vector<std::vector<surface_fragment>>;
+
+constexpr unsigned width = 40, height = 24;
+const std::array<std::uint32_t, 16> colors = oracle::every_color();
+
+/// A recipe that packs the surfaces that a depth source captures.
+std::string packing(const std::string& source) {
+    return "directions:1x1/" + source + "/hbao/every_layer";
+}
+
+/// What of all fragments of a texel is seen, if only in part.
+std::vector<fragment> opaque_in_part(const std::vector<fragment>& all) {
+    std::vector<fragment> seen;
+    for (const fragment& each : all)
+        if (colors[each.triangle % 16] >> 24 != 0)
+            seen.push_back(each);
+    return seen;
+}
+
+bool are_near(double a, double b) {
+    return std::abs(a - b) <= 2e-5 * b;
+}
+
+glm::dvec3 normal_of(const oracle::triangles& drawn, std::size_t triangle) {
+    const glm::dvec3 a = drawn[3 * triangle], b = drawn[3 * triangle + 1], c = drawn[3 * triangle + 2];
+    return glm::normalize(glm::cross(b - a, c - a));
+}
+
+/// Whether a kept surface is that of a fragment.
+bool is_of(const surface_fragment& kept, const fragment& f, const oracle::triangles& drawn) {
+    constexpr double tenth_of_a_degree = 0.00175;
+    return kept.back == f.back && are_near(kept.depth, f.depth) && kept.color == colors[f.triangle % 16] &&
+           glm::length(kept.normal - normal_of(drawn, f.triangle)) < tenth_of_a_degree;
+}
+
+/// Whether these are the nearest `most` of all fragments of a texel, nearest first, each once.
+bool are_nearest(const std::vector<surface_fragment>& kept, const std::vector<fragment>& all,
+                 std::size_t most, const oracle::triangles& drawn) {
+    if (kept.size() != std::min(all.size(), most))
+        return false;
+    std::set<std::size_t> taken;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        std::size_t at = 0;
+        while (at < all.size() && (taken.contains(at) || !is_of(kept[i], all[at], drawn)))
+            ++at;
+        if (at == all.size() || !are_near(kept[i].depth, all[i].depth) ||
+            (i > 0 && kept[i].depth < kept[i - 1].depth))
+            return false;
+        taken.insert(at);
+    }
+    return true;
+}
+
+std::size_t wrong(const surfaces& kept, const oracle::fragment_lists& all, std::size_t most,
+                  const oracle::triangles& drawn) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; at < kept.size(); ++at)
+        count += !all.doubtful[at] && !are_nearest(kept[at], opaque_in_part(all.of[at]), most, drawn);
+    return count;
+}
+
+std::size_t total(const surfaces& of) {
+    std::size_t count = 0;
+    for (const std::vector<surface_fragment>& list : of)
+        count += list.size();
+    return count;
+}
+
+/// Checks what a source of lists keeps against all fragments.
+void check_surfaces(const std::string& source) {
+    for (lens kind : {lens::standard, lens::orthographic})
+        for (unsigned triangles : {6u, 60u, 400u}) {
+            CAPTURE(triangles);
+            const oracle::triangles drawn = oracle::soup(triangles, triangles);
+            const oracle::fragment_lists all = oracle::rasterise(drawn, kind, width, height);
+            for (std::size_t layers : {1u, 3u, 4u, 9u, 32u}) {
+                CAPTURE(layers);
+                oracle::fragment_capture capture(packing(source + ":" + std::to_string(layers) + "x64"),
+                                                 width, height, kind);
+                capture.draw(drawn);
+                const surfaces kept = capture.surfaces();
+                CHECK(wrong(kept, all, layers, drawn) == 0);
+                CHECK(capture.count_in("fragments_beyond_pool") == 0);
+                const auto opacities = capture.opacities();
+                std::size_t other = 0;
+                for (std::size_t at = 0; at < kept.size(); ++at)
+                    for (std::size_t i = 0; i < kept[at].size(); ++i)
+                        other += opacities[at][i] != kept[at][i].color >> 24;
+                CHECK(other == 0);
+            }
+        }
+}
+
+/// Checks what a source of lists loses of a pool of each size.
+/// @param mixes  whether the nearest of two fragments beside the pool may take the colour of the other
+void check_pools(const std::string& source, bool mixes) {
+    const oracle::triangles drawn = oracle::soup(80, 5);
+    const std::string recipe = packing(source + ":32x64");
+    oracle::fragment_capture whole(recipe, width, height);
+    whole.draw(drawn);
+    REQUIRE(whole.count_in("fragments_beyond_layers") == 0);
+    const surfaces everything = whole.surfaces();
+    const std::size_t wanted = total(everything);
+    REQUIRE(wanted > 1000);
+    for (const std::size_t size :
+         {std::size_t{0}, std::size_t{1}, std::size_t{7}, wanted / 3, wanted - 1, wanted, wanted + 1}) {
+        CAPTURE(size);
+        oracle::fragment_capture capture(recipe, width, height, lens::standard, "pack_layers",
+                                         static_cast<unsigned>(size));
+        for (int frame = 0; frame < 2; ++frame) {
+            capture.draw(drawn);
+            const surfaces kept = capture.surfaces();
+            CHECK(total(kept) == wanted - capture.count_in("fragments_beyond_pool"));
+            if (size >= wanted)
+                CHECK(total(kept) == wanted);
+            std::size_t lost = 0, strange = 0, mixed = 0;
+            for (std::size_t at = 0; at < kept.size(); ++at) {
+                const auto& all = everything[at];
+                const auto same = [](const surface_fragment& a, const surface_fragment& b) {
+                    return a.depth == b.depth && a.back == b.back;
+                };
+                lost += kept[at].empty() != all.empty() ||
+                        (!kept[at].empty() && !same(kept[at].front(), all.front()));
+                for (const surface_fragment& each : kept[at]) {
+                    const auto whole_same = [&](const surface_fragment& other) {
+                        return same(each, other) && other.color == each.color &&
+                               glm::distance(other.normal, each.normal) <= 1e-9;
+                    };
+                    const bool is_there =
+                        std::ranges::any_of(all, [&](const auto& other) { return same(each, other); });
+                    strange += !is_there;
+                    mixed += is_there && std::ranges::none_of(all, whole_same);
+                }
+            }
+            CHECK(lost == 0);
+            CHECK(strange == 0);
+            CHECK(mixed * 50 <= (mixes ? kept.size() : 0)); // of fragments whose keys begin alike
+        }
+    }
+    CHECK_NOTHROW(oracle::device().check_messages());
+}
+
+}
+
+TEST_CASE("linked lists keep the nearest surfaces in order, and none of no opacity") {
+    check_surfaces("linked_lists");
+}
+
+TEST_CASE("linear lists keep the nearest surfaces in order, and none of no opacity") {
+    check_surfaces("linear_lists");
+}
+
+TEST_CASE("a pool of any size loses no nearest surface of linked lists, and counts what it lost") {
+    check_pools("linked_lists", true);
+}
+
+TEST_CASE("a pool of any size loses no nearest surface of linear lists, mixes none and counts what it lost") {
+    check_pools("linear_lists", false);
+}
+
+TEST_CASE("lists of surfaces give the same occlusion for the same fragments, compressed or not") {
+    const oracle::triangles drawn = oracle::soup(30, 11);
+    const auto visibility = [&drawn](const std::string& source, const std::string& rest) {
+        oracle::fragment_capture capture("directions:2x4/" + source + ":16x64/hbao/every_layer/r32f" + rest,
+                                         width, height, lens::standard, "visibility");
+        capture.set("radius", 3);
+        capture.draw(drawn);
+        return capture.runner().download("visibility");
+    };
+    for (const std::string rest : {"", "/compressed:4", "/compressed_occluders:4"}) {
+        CAPTURE(rest);
+        const std::vector<float> linked = visibility("linked_lists", rest);
+        CHECK(linked == visibility("linear_lists", rest));
+        CHECK(std::ranges::min(linked) < 0.8f);
+    }
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include <crease/crease.hpp>
+
+#include "text.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace crease;
+
+using few = effect<directions<2, 4>, linked_lists<16>, hbao, every_layer, compressed_occluders<4, 1>>;
+static_assert(offers<compressed_occluders<>, all_surfaces> && !offers<compressed<>, all_surfaces>);
+
+bool has_resource(std::string_view name) {
+    return std::ranges::find(few::resources, name, &resource::name) != std::end(few::resources);
+}
+
+}
+
+TEST_CASE("taps read compressed layers, and receivers every surface") {
+    CHECK(has_resource("compressed_layers"));
+    CHECK(has_resource("layer_surfaces"));
+    CHECK_FALSE(has_resource("compressed_normals"));
+    CHECK_FALSE(has_resource("packed_layers"));
+}
