@@ -6,4 +6,5 @@
 
 using namespace crease;
 
-constexpr auto count = effect<directions<>, stochastic_layers<>, hbao, multisampled<>, glsl_es<>>::passes.size();
+constexpr auto count =
+    effect<directions<>, stochastic_layers<>, hbao, multisampled<>, glsl_es<>>::passes.size();

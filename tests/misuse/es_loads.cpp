@@ -6,4 +6,5 @@
 
 using namespace crease;
 
-constexpr auto count = effect<directions<>, single_layer, hbao, image_load, fragment, glsl_es<300>>::passes.size();
+constexpr auto count =
+    effect<directions<>, single_layer, hbao, image_load, fragment, glsl_es<300>>::passes.size();

@@ -373,3 +373,18 @@ TEST_CASE("the bitmask is solid from a front face to the next back face, and thi
     CHECK(mean_difference(visibility(layers, sheets), expected) > 0.01);
     CHECK(mean_difference(visibility(single, solid, least), expected) > 0.01);
 }
+
+TEST_CASE("an array of one or two layers says of the last layer what one of four says") {
+    oracle::triangles drawn = oracle::wall(5);
+    const std::string four = "directions:4x8/layer_array:4/cosine_bitmask:0x0",
+                      one = "directions:4x8/layer_array:1/cosine_bitmask:0x0",
+                      two = "directions:4x8/layer_array:2/cosine_bitmask:0x0";
+    oracle::add_quad(drawn, {-9, -9, -2.8f}, {9, 0, 0}, {0, 18, 0});
+    const std::vector<float> expected = visibility(four, drawn);
+    CHECK(visibility(two, drawn) == expected);
+    CHECK(visibility(one, drawn) != expected);
+    oracle::triangles step; // left and right of each other
+    oracle::add_quad(step, {-9, -9, -2.8f}, {9, 0, 0}, {0, 18, 0});
+    oracle::add_quad(step, {0, -9, -4}, {9, 0, 0}, {0, 18, 0});
+    CHECK(visibility(one, step) == visibility(four, step));
+}

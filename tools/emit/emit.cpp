@@ -182,12 +182,11 @@ void expect_spirv(const emit_options& options, const effect_view& effect) {
     const bool makes_spirv = !options.target && options.formats != std::set{emit_format::glsl} &&
                              std::ranges::any_of(effect.passes, has_spirv);
     if (options.spirv.any() && !makes_spirv)
-        throw recipe_error(
-            "--optimise, --strip and --target-env are of SPIR-V, and none is made here: take "
-            "--format spirv, spirv-asm or header and the vulkan dialect, or leave them out");
+        throw recipe_error("--optimise, --strip and --target-env are of SPIR-V, and none is made here: take "
+                           "--format spirv, spirv-asm or header and the vulkan dialect, or leave them out");
     if (options.formats.contains(emit_format::header) && std::ranges::any_of(effect.passes, is_for_webgpu))
         throw recipe_error("a C++ header is of the dialects vulkan, opengl and glsl_es: of webgpu take "
-                                 "--format glsl or spirv, or --target wgsl");
+                           "--format glsl or spirv, or --target wgsl");
 }
 
 }

@@ -18,11 +18,18 @@ struct crease_layers {
     vec4 groups[crease_most_groups];
 };
 
+// A group as it was packed; an image of one or two layers has no more components.
+vec4 crease_whole_group(vec4 group) {
+    return crease_most_layers == 1 ? vec4(group.x, vec3(crease_background))
+        : crease_most_layers == 2 ? vec4(group.xy, vec2(crease_background))
+                                  : group;
+}
+
 // Fetches groups [first, end) before any is weighed, so that their latencies overlap.
 void crease_fetch_groups(inout crease_layers layers, int first, int end) {
     crease_unroll for (int group = first; group < end; ++group)
-        layers.groups[group] = crease_load_packed_layers(
-            ivec3(layers.texel, crease_view_index * crease_group_count() + group));
+        layers.groups[group] = crease_whole_group(crease_load_packed_layers(
+            ivec3(layers.texel, crease_view_index * crease_group_count() + group)));
 }
 
 crease_layers crease_fetch_layers(vec2 texel) {
