@@ -285,8 +285,7 @@ TEST_CASE("what memory held before a frame does not matter, rubbish or another f
     const auto capture = [](const std::string& source, std::optional<unsigned> free_nodes,
                             std::optional<std::uint32_t> rubbish) {
         return std::make_unique<oracle::fragment_capture>(packing(source), width, height, lens::standard,
-                                                          "visibility", free_nodes, "reconstructed_normals",
-                                                          rubbish);
+                                                          "visibility", free_nodes, rubbish);
     };
     // Numbers that are wrong as counts, indices, keys and depths; 0x7fc00000 is not a number.
     constexpr std::uint32_t all_rubbish[] = {0u, 1u, 0x3f8ccccdu, 0x7fc00000u, 0xdeadbeefu, ~0u};
@@ -339,7 +338,7 @@ TEST_CASE(
         oracle::fragment_capture alone(packing("linear_lists:32x64"), width, height);
         alone.draw(*stored);
         oracle::fragment_capture both(packing("linear_lists:32x64"), width, height, lens::standard,
-                                      "pack_layers", std::nullopt, "reconstructed_normals", 0x3f8ccccdu);
+                                      "pack_layers", std::nullopt, 0x3f8ccccdu);
         both.draw(drawn, *stored);
         const lists expected = alone.packed(32), room = counted.packed(32), found = both.packed(32);
         std::size_t lost = 0;

@@ -12,6 +12,11 @@ inline constexpr glsl_file multi_resolution_glsl{
 #include <crease/depth/multi_resolution.glsl>
 };
 
+inline constexpr glsl_file multi_resolution_layers_glsl{
+    "depth/multi_resolution_layers.glsl",
+#include <crease/depth/multi_resolution_layers.glsl>
+};
+
 inline constexpr glsl_file multi_resolution_gather_glsl{
     "depth/multi_resolution_gather.glsl",
 #include <crease/depth/multi_resolution_gather.glsl>
@@ -126,8 +131,9 @@ struct multi_resolution_part {
                                       multi_resolutions::gather("gather_3", 3),
                                       multi_resolutions::gather("gather_2", 2),
                                       multi_resolutions::gather("gather_1", 1)};
-    static constexpr const glsl_file* files[] = {&multi_resolution_glsl, &multi_resolution_gather_glsl,
-                                                 &multi_resolution_normal_glsl, &encoding_octahedron_glsl};
+    static constexpr const glsl_file* files[] = {&multi_resolution_glsl, &multi_resolution_layers_glsl,
+                                                 &multi_resolution_gather_glsl, &multi_resolution_normal_glsl,
+                                                 &encoding_octahedron_glsl};
     static constexpr part description{
         .kind = role::depth_source,
         .name = "multi_resolution",
