@@ -93,6 +93,20 @@ TEST_CASE("refuses: scenes, cameras and devices") {
     expect_refusal(failure, "the camera 'a' sees nothing of the scene", "bench " + scene, false);
 }
 
+TEST_CASE("refuses: materials") {
+    const temporary_folder folder;
+    const std::string obj =
+        "'" + folder.put("a.obj", "mtllib a.mtl\nusemtl a\nv 0 0 0\nv 9 0 0\nv 0 0 9\nf 1 2 3\n").string() +
+        "'";
+    folder.put("a.mtl", "newmtl a\nd nan\n");
+    expect_refusal(failure,
+                   "a.obj: needs 'a.mtl': line 2: 'nan' is not a number from 0 to 1; export it again",
+                   "reference " + obj);
+    folder.put("a.mtl", "newmtl a\nd 0\n");
+    expect_refusal(failure, "every triangle of the scene has opacity 0, so that nothing is seen",
+                   "reference " + obj);
+}
+
 TEST_CASE("refuses: eyes and depths that 32 bits cannot hold") {
     const temporary_folder folder;
     const std::string scene =
@@ -116,6 +130,8 @@ TEST_CASE("refuses: numbers, with their range") {
     const std::string render = std::string("render built-in") + hbao;
     for (const std::string value : {"nan", "-1", "inf", "1e31", "1x", "''"})
         expect_refusal(usage, "is not a number from 0 to 1e+30", render + " --radius " + value);
+    for (const std::string value : {"nan", "0", "-1", "1.5", "x"})
+        expect_refusal(usage, "is not a number from 0.001 to 1", "reference glass --opacity " + value);
     for (const std::string value : {"0", "16385", "-1", "1.5", "9999999999", "1e3"})
         expect_refusal(usage, "is not a whole number from 1 to 16384", render + " --width " + value);
     for (const std::string value : {"-1", "4294967296", "x"}) {
@@ -137,6 +153,11 @@ TEST_CASE("refuses: options without a use") {
                    std::string("render built-in --second-camera overview") + hbao);
     expect_refusal(usage, "--frame: the recipe has no randomness",
                    "render built-in --frame 1 --recipe sample_box/summed_area/mean_height");
+    expect_refusal(usage, "--opacity: the recipe takes every surface for opaque; add /every_layer to it",
+                   std::string("render built-in --opacity 0.5") + hbao);
+    expect_refusal(failure, "--hull: the scene has no transparent surface; leave it out, or use --opacity",
+                   "reference built-in --hull");
+    expect_refusal(failure, "--hull: the scene has no transparent surface", "bench built-in --hull", false);
     expect_refusal(usage, "is a recipe and stands among the scenes",
                    "bench --recipes directions/single_layer/hbao directions/single_layer/hbao", false);
 }

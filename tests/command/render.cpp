@@ -210,3 +210,75 @@ TEST_CASE("render: what a bounded depth source lost is a warning that says what 
     CHECK(complained("layer_array:4") == "");
     CHECK(complained("linked_lists:4x4") == "");
 }
+
+TEST_CASE(
+    "render: a wall and a floor that let half through occlude half as much, and half as much is seen of it") {
+    const render_files corner(
+        scene_files(true).arguments(),
+        "--opacity 0.5 --recipe half_directions:4x16/linked_lists:4x4/cosine_bitmask:1/every_layer");
+    CHECK(files_in(corner.folder / "out") == always);
+    const nlohmann::json meta = json_in(corner.folder / "out/meta.json");
+    CHECK(meta.at("opacity") == 0.5);
+    CHECK(meta.at("captures").size() == 1);
+    const image ao = corner["ao.pfm"];
+    for (unsigned x = 0; x < 64; ++x)
+        if (const double away = scene_files::x_of(x); away > 0.1) {
+            const double expected = 1 - 0.25 * (1 - before_wall(away / scene_files::radius).linear);
+            CHECK(std::abs(ao.at(x, 18) - expected) <= 0.05);
+        }
+}
+
+TEST_CASE("render: behind glass there is ambient occlusion, which a single layer has not") {
+    const std::string view = "glass --camera car --width 64 --height 36";
+    const temporary_folder folder;
+    expect_success("reference " + view + " --rays 64 -o '" + (folder / "truth").string() + "'");
+    const image truth = read_image(folder / "truth/ao_linear.pfm");
+    const auto error_of = [&](const std::string& recipe) {
+        const image ao = render_files(view, "--recipe " + recipe)["ao.pfm"];
+        double sum = 0;
+        for (std::size_t i = 0; i < ao.texels.size(); ++i)
+            sum += std::pow(ao.texels[i] - truth.texels[i], 2) / static_cast<double>(ao.texels.size());
+        return std::sqrt(sum);
+    };
+    const double single = error_of("half_directions:4x8/single_layer/cosine_bitmask:1"),
+                 every = error_of("half_directions:4x8/linked_lists:8x16/cosine_bitmask:1/every_layer");
+    MESSAGE("RMSE of a single layer " << single << ", of every layer " << every);
+    CHECK(every < 0.7 * single);
+}
+
+TEST_CASE("render: colours of layers, each over those behind it") {
+    // A white floor of which half is seen, over white; the wall's edge is to the left of the middle.
+    const render_files plane(
+        scene_files(false).arguments(),
+        "--opacity 0.5 --recipe directions:2x2/linked_lists:4x4/hbao/every_layer/composite");
+    std::set<std::string> expected = always;
+    expected.insert({"color.pfm", "color.png"});
+    CHECK(files_in(plane.folder / "out") == expected);
+    for (const float c : plane["color.pfm"].texels)
+        CHECK(c == 1);
+    CHECK(std::ranges::all_of(png_of(plane.folder / "out/color.png"),
+                              [](unsigned char c) { return c == 255; }));
+    const std::filesystem::path exr = plane.folder / "out/frame.exr";
+    for (const char* name : {"color.R", "color.G", "color.B", "color.A"})
+        for (const float c : exr_channel_of(exr, name))
+            CHECK(std::abs(c - 0.5f) <= 0.002f); // of eight bits
+    const temporary_folder folder;
+    folder.put("a.mtl", "newmtl red\nKd 1 0 0\nd 0.5\nnewmtl blue\nKd 0 0 1\nd 1\n");
+    const std::string scene = folder
+                                  .put("a.obj", "mtllib a.mtl\nv -9 0 -9\nv 9 0 -9\nv 9 0 9\nv -9 0 9\n"
+                                                "v -9 1 -9\nv 9 1 -9\nv 9 1 9\nv -9 1 9\n"
+                                                "usemtl blue\nf 1 2 3 4\nusemtl red\nf 5 6 7 8\n")
+                                  .string();
+    folder.put("a.cameras.json",
+               R"([{"name": "above", "eye": [0, 4, 0], "target": [0, 0, 0], "up": [0, 0, -1],
+                                     "vfov_deg": 40, "near": 0.5, "far": 100, "width": 64, "height": 36,
+                                     "ao_radius": 0}])");
+    const render_files sheets("'" + scene + "'",
+                              "--recipe directions:2x2/linked_lists:4x4/hbao/every_layer/composite");
+    const image seen = sheets["color.pfm"];
+    for (std::size_t i = 0; i < seen.texels.size(); i += 3) {
+        CHECK(std::abs(seen.texels[i] - 0.5f) <= 0.003f);
+        CHECK(seen.texels[i + 1] <= 0.003f);
+        CHECK(std::abs(seen.texels[i + 2] - 0.5f) <= 0.003f);
+    }
+}

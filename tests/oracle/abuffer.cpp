@@ -146,7 +146,7 @@ triangles turned(const triangles& scene) {
 
 fragment_capture::fragment_capture(const std::string& recipe, unsigned width, unsigned height, lens seen_by,
                                    std::string_view last, std::optional<unsigned> free_nodes,
-                                   std::string_view normals, std::optional<std::uint32_t> rubbish)
+                                   std::optional<std::uint32_t> rubbish, std::string_view normals)
     : width_(width), height_(height),
       projection_(clip_from_view(seen_by, static_cast<double>(width) / height)),
       composed_(compose(recipe + "/linear_depth/" + std::string(normals) +

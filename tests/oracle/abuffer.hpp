@@ -57,12 +57,12 @@ public:
     /// @param last        the last pass that runs; where it is the packing, the depth image is before all
     /// @param free_nodes  of a pool that is in use but for these, of `linear_lists` all that the pool has,
     /// and then at least 1; else all are free
+    /// @param normals     where those of receivers come from that are no captured surfaces
     /// @param rubbish     bits with which all is filled, before each frame, that an effect need not clear
     fragment_capture(const std::string& recipe, unsigned width, unsigned height,
                      lens seen_by = lens::standard, std::string_view last = "pack_layers",
-                     std::optional<unsigned> free_nodes = {},
-                     std::string_view normals = "reconstructed_normals",
-                     std::optional<std::uint32_t> rubbish = {});
+                     std::optional<unsigned> free_nodes = {}, std::optional<std::uint32_t> rubbish = {},
+                     std::string_view normals = "reconstructed_normals");
 
     /// @param colors  of the triangles, in turn, where the effect captures surfaces
     void draw(const triangles& scene, const color_table& colors = every_color()) {

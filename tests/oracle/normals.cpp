@@ -119,7 +119,16 @@ TEST_CASE("normals as hosts have them give what those of view space give") {
          {kind{"packed_normals", true, false, false}, kind{"octahedral_normals", true, true, false},
           kind{"world_normals", false, false, true}, kind{"packed_world_normals", true, false, true},
           kind{"octahedral_world_normals", true, true, true}}) {
-        for (const oracle::technique& t : techniques()) {
+        const bool in_bytes = each.packed && !each.octahedral;
+        oracle::picture seen = p;
+        for (std::size_t i = 0; in_bytes && i < seen.normals.size(); ++i) {
+            const glm::vec3 bytes =
+                glm::round(((each.world ? of_world : p.normals)[i] * 0.5f + 0.5f) * 255.0f);
+            const glm::vec3 rounded = bytes / 255.0f * 2.0f - 1.0f;
+            seen.normals[i] = glm::normalize(each.world ? to_view * rounded : rounded);
+        }
+        for (std::size_t i = 0; i < techniques().size(); i += 3) { // as the estimator makes no difference
+            const oracle::technique& t = techniques()[i];
             CAPTURE(std::string(each.name));
             CAPTURE(t.recipe());
             const auto composed = oracle::compose(t.recipe() + "/" + each.name);
@@ -131,15 +140,12 @@ TEST_CASE("normals as hosts have them give what those of view space give") {
             }
             crease::vulkan::runner runner(oracle::device(), effect, static_cast<unsigned>(p.width),
                                           static_cast<unsigned>(p.height));
-            oracle::upload(runner, effect, p);
+            runner.upload("depth", p.device);
             runner.upload("normal", stored(each.world ? of_world : p.normals, each.packed, each.octahedral));
             runner.run(how);
-            oracle::difference allowed = oracle::of_rounding;
-            if (each.packed && !each.octahedral) // in 8 bits a component
-                allowed = {.typical = 0.02, .mean = 0.004, .border = 0.006, .most = 0.4, .bias = 0.003};
             oracle::check_within(oracle::compare(runner.download("visibility"),
-                                                 expect(p, t, oracle::settings_of(how, effect))),
-                                 allowed);
+                                                 expect(seen, t, oracle::settings_of(how, effect))),
+                                 oracle::of_rounding);
         }
     }
 }

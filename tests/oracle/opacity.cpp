@@ -214,7 +214,7 @@ TEST_CASE("opacity 1 everywhere is the occlusion of the first surface by all lay
                 normals.push_back(static_cast<float>(normal[i]));
             normals.push_back(0);
         }
-        oracle::fragment_capture first(parts + "/r32f", width, height, lens::standard, "visibility", {},
+        oracle::fragment_capture first(parts + "/r32f", width, height, lens::standard, "visibility", {}, {},
                                        "given_normals");
         first.set("radius", radius);
         first.runner().upload("depth", depth);
@@ -321,4 +321,27 @@ TEST_CASE(
     }
     MESSAGE("separated against integrated: RMSE " << std::sqrt(difference) << ", at most " << most);
     CHECK(std::sqrt(difference) < 0.05);
+}
+
+TEST_CASE("the interior of a hull sees what stands behind it") {
+    constexpr double apart = 0.5, alpha = 128 / 255.0;
+    oracle::triangles drawn = oracle::wall(3);
+    const oracle::triangles behind = oracle::wall(static_cast<float>(3 + apart));
+    drawn.insert(drawn.end(), behind.begin(), behind.end());
+    std::array<std::uint32_t, 16> colors = all_of(255);
+    colors[0] = colors[1] = 0x80808080u;
+    for (const std::string parts :
+         {"slices:8x8/linked_lists:4x8/gtao", "half_directions:8x8/linked_lists:4x8/cosine_bitmask:0x0",
+          "half_directions:8x8/linked_lists:4x8/cosine_bitmask"}) {
+        CAPTURE(parts);
+        const auto solid = run(parts + "/every_layer/r32f", drawn, colors),
+                   thin = run(parts + "/thin_layers/r32f", drawn, colors);
+        const std::size_t middle = height / 2 * width + width / 2;
+        const double both = double{thin->runner().download("visibility")[middle]},
+                     one = double{solid->runner().download("visibility")[middle]};
+        const double interior = 1 - (one - both) / (alpha * (1 - alpha));
+        // The wall behind is within the radius in all directions up to the angle of this cosine.
+        const double beyond = apart / radius;
+        CHECK(std::abs(interior - beyond * beyond) < 0.15);
+    }
 }

@@ -105,7 +105,7 @@ inline std::vector<std::string> every_recipe() {
                             output_format, image_reads, filter, stage, dialect}),
           one_by_one(filtered, {projection, depth_encoding, normals, noise, receivers, output_format,
                                 image_reads, stage, dialect}),
-          times(captures, names_of(dialect)), times(times(compressed, names_of(dialect)), optional(filter)),
+          times(captures, names_of(dialect)), times(compressed, names_of(dialect)),
           times(scans, names_of(dialect)), times(reads, names_of(dialect))})
         all.insert(all.end(), each.begin(), each.end());
     return legal(std::move(all));

@@ -79,9 +79,11 @@ inline std::vector<crease::piece> whole_program(const crease::pass& p) {
                        "void main() { host_value = crease_handed_on(ivec2(gl_GlobalInvocationID.xy)); }\n"});
     } else if (p.stage == crease::stage_kind::geometry) {
         whole.push_back(
-            {"host", vulkan ? "layout(location = 0) in vec3 host_position;\n"
-                              "void main() { crease_capture(host_position); }\n"
-                            : "in vec3 host_position;\nvoid main() { crease_capture(host_position); }\n"});
+            {"host", vulkan ? "layout(location = 0) in vec3 host_position;\n" : "in vec3 host_position;\n"});
+        whole.push_back(
+            {"host", p.takes_surfaces
+                         ? "void main() { crease_capture(host_position, vec3(0.0), vec4(1.0)); }\n"
+                         : "void main() { crease_capture(host_position); }\n"});
     }
     return whole;
 }

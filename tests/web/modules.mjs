@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Installs what web/package-lock.json pins into a folder. Where npm cannot be reached, that needs it is skipped: exit status 77.
+// Installs what web/package-lock.json pins into a folder. Where npm cannot be reached, what needs it is skipped: exit status 77.
 import {execFileSync} from 'node:child_process';
 import {copyFileSync, existsSync, mkdirSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <numbers>
@@ -35,6 +36,21 @@ image scaled(image values, float by, float and_add) {
     for (float& v : values.texels)
         v = v * by + and_add;
     return values;
+}
+
+/// Colours that are multiplied by their opacity, over white.
+image over_white(const image& colours) {
+    image whole(colours.width, colours.height, 3);
+    for (std::size_t i = 0; i < whole.texels.size(); ++i)
+        whole.texels[i] = colours.texels[i / 3 * 4 + i % 3] + 1 - colours.texels[i / 3 * 4 + 3];
+    return whole;
+}
+
+/// As screens show linear colours (IEC 61966-2-1).
+image srgb(image colours) {
+    for (float& v : colours.texels)
+        v = v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f;
+    return colours;
 }
 
 nlohmann::ordered_json times_of(const std::vector<vulkan::pass_time>& times) {
@@ -77,6 +93,9 @@ void check_use(const render_options& options, const recipe& chosen) {
             return text.text.find("crease_frame") != std::string_view::npos;
         });
     });
+    if (options.scene.opacity &&
+        std::ranges::none_of(effect.passes, [](const pass& p) { return p.takes_surfaces; }))
+        throw recipe_error("--opacity: the recipe takes every surface for opaque; add /every_layer to it");
     if (options.frame != 0 && !has_noise)
         throw recipe_error("--frame: the recipe has no randomness that it could change");
 }
@@ -122,13 +141,20 @@ void run(const render_options& options) {
         write_png(files.add("bent.png"), scaled(*made.bent, 0.5f, 0.5f));
         write_png(files.add("cone.png"), scaled(*made.cone, 2 / std::numbers::pi_v<float>, 0));
     }
+    if (made.colour) {
+        write_pfm(files.add("color.pfm"), over_white(*made.colour));
+        write_png(files.add("color.png"), srgb(over_white(*made.colour)));
+    }
     write_pfm(files.add("depth.pfm"), inputs.depth);
     write_pfm(files.add("normal.pfm"), inputs.normal);
-    const exr_channel channels[] = {{"visibility", made.visibility},
-                                    {"depth.Z", inputs.depth},
-                                    {"normal.X", inputs.normal, 0},
-                                    {"normal.Y", inputs.normal, 1},
-                                    {"normal.Z", inputs.normal, 2}};
+    std::vector<exr_channel> channels{{"visibility", made.visibility},
+                                      {"depth.Z", inputs.depth},
+                                      {"normal.X", inputs.normal, 0},
+                                      {"normal.Y", inputs.normal, 1},
+                                      {"normal.Z", inputs.normal, 2}};
+    if (made.colour)
+        for (unsigned c = 0; c < 4; ++c)
+            channels.push_back({std::string("color.") + "RGBA"[c], *made.colour, c});
     write_exr(files.add("frame.exr"), channels);
     files.appear(describe(options, from, chosen, settle(chosen, how), times, std::string(device.name())),
                  options.scene.inputs());

@@ -35,8 +35,8 @@ struct gbuffer {
     image normal; ///< of the picture: the normals, 3 channels
 };
 
-/// Rasterises the scene, both sides of every triangle, at the camera's width and height and a guard band
-/// around.
+/// Rasterises the scene, both sides of every triangle and as if all were opaque, at the camera's width and
+/// height and a guard band around.
 /// @throws vulkan::error, scene_error
 gbuffer rasterise(vulkan::device& device, const mesh& scene, const camera& from, unsigned guard = 0,
                   device_depth_kind depth = device_depth_kind::reversed);
@@ -53,6 +53,7 @@ struct frame_times {
 struct frame {
     image visibility;
     std::optional<image> bent, cone; ///< where the effect has that output: 3 channels, view space; radians
+    std::optional<image> colour;     ///< likewise: linear RGB times the opacity, and the opacity
     frame_times times;               ///< medians over the repeats
 };
 

@@ -22,7 +22,12 @@ namespace crease::tools {
 
 namespace {
 
-constexpr const char* vertex_glsl = R"glsl(#version 450
+/// A fragment shader of the geometry, and the vertex shader before it.
+struct capture_shaders {
+    const char *vertex, *fragment;
+};
+
+constexpr capture_shaders positions{R"glsl(#version 450
 layout(push_constant) uniform transforms {
     mat4 view_from_eye;
     mat4 clip_from_view;
@@ -34,13 +39,39 @@ void main() {
     anchor = position;
     gl_Position = clip_from_view * (view_from_eye * vec4(position, 1.0));
 }
-)glsl";
-
-constexpr const char* fragment_glsl = R"glsl(
+)glsl",
+                                    R"glsl(
 layout(location = 0) in vec3 anchor;
 
 void main() { crease_capture(anchor); }
-)glsl";
+)glsl"};
+
+constexpr capture_shaders surfaces{R"glsl(#version 450
+layout(push_constant) uniform transforms {
+    mat4 view_from_eye;
+    mat4 clip_from_view;
+};
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 color;
+layout(location = 0) out vec3 anchor;
+layout(location = 1) flat out vec3 view_normal;
+layout(location = 2) flat out vec4 surface_color;
+
+void main() {
+    anchor = position;
+    view_normal = mat3(view_from_eye) * normal;
+    surface_color = color;
+    gl_Position = clip_from_view * (view_from_eye * vec4(position, 1.0));
+}
+)glsl",
+                                   R"glsl(
+layout(location = 0) in vec3 anchor;
+layout(location = 1) flat in vec3 view_normal;
+layout(location = 2) flat in vec4 surface_color;
+
+void main() { crease_capture(anchor, view_normal, surface_color); }
+)glsl"};
 
 void upload_inputs(vulkan::runner& runner, const effect_view& effect, const gbuffer& inputs) {
     for (const resource& wanted : effect.resources)
@@ -180,10 +211,12 @@ prepared_effect::prepared_effect(vulkan::device& device, const recipe& wanted, c
 }
 
 void prepared_effect::set_geometry() {
-    const piece vertex[] = {{"capture.vert", vertex_glsl}}, fragment[] = {{"capture.frag", fragment_glsl}};
     for (const pass& each : composed_->view().passes) {
         if (each.stage != stage_kind::geometry)
             continue;
+        const capture_shaders& shaders = each.takes_surfaces ? surfaces : positions;
+        const piece vertex[] = {{"capture.vert", shaders.vertex}},
+                    fragment[] = {{"capture.frag", shaders.fragment}};
         const transforms pushed = transforms_of(each, how_, inputs_);
         runner_->set_geometry(each.name,
                               {.vertex = vertex,
@@ -205,10 +238,14 @@ frame_times prepared_effect::run() {
 
 frame prepared_effect::picture() {
     const unsigned width = inputs_.depth.width, height = inputs_.depth.height;
-    frame made{.visibility = image(width, height), .bent = {}, .cone = {}, .times = {}};
+    frame made{.visibility = image(width, height), .bent = {}, .cone = {}, .colour = {}, .times = {}};
     for (const resource& r : composed_->view().resources) {
         if (r.name == "visibility")
             made.visibility.texels = runner_->download(r.name);
+        if (r.name == "color") {
+            made.colour = image(width, height, 4);
+            made.colour->texels = runner_->download(r.name);
+        }
         const bool packed = r.name == "packed_bent_cone";
         if (!packed && r.name != "bent_cone")
             continue;

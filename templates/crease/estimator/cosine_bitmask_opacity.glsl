@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
-uint crease_cosine_bitmask_sectors_of(crease_march march, crease_cosine_bitmask_slab slab, float thickness, out float nearest);
+float crease_cosine_bitmask_nearer(float gap);
 void crease_cosine_bitmask_hide(inout crease_march march, uint hidden, float nearness);
 float crease_cosine_bitmask_thickness_of_last(crease_march march, float depth_after);
 #else
@@ -22,6 +22,23 @@ struct crease_march {
     float before_last;
     uint of_last; // sectors that the last slab may hide
 };
+
+// As without opacity, but that where a receiver is looked at from behind the back of a slab comes first.
+uint crease_cosine_bitmask_sectors_of(crease_march march, crease_cosine_bitmask_slab slab, float thickness,
+                                      out float nearest) {
+    vec2 height = vec2(slab.height, slab.ray_height * thickness + slab.height);
+    vec2 along = vec2(slab.along * crease_cosine_bitmask_nearer(slab.gap), slab.ray_along * thickness + slab.along);
+    vec2 inverse = inversesqrt(height * height + along * along);
+    nearest = max(inverse.x, inverse.y);
+    vec2 sine = along * inverse;
+    vec2 sector = march.constant + sine * (march.linear + sine * (march.square + sine * march.cubic));
+    sector = mix(vec2(0.0), clamp(sector, 0.0, 31.0), greaterThan(height, vec2(0.0)));
+    uvec2 bit = uvec2(1u) << uvec2(sector);
+    bool from_behind = slab.ray_height * march.towards.x > slab.ray_along * march.towards.y; // the way on leads to the eye
+    bit = from_behind ? bit.yx : bit;
+    uint hidden = bit.x - min(bit.x, bit.y);
+    return nearest > march.reach ? hidden : 0u;
+}
 
 void crease_cosine_bitmask_hide_last(inout crease_march march, float thickness) {
     float nearest;
