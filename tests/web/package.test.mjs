@@ -94,10 +94,11 @@ test('a camera of a projection matrix, or a sentence', () => {
 test('composing takes milliseconds, and a thousand times leaks nothing', () => {
     const recipe = 'directions:8x4/single_layer/hbao/bilateral';
     crease.compose(recipe);
-    const begin = performance.now();
+    const begin = process.cpuUsage();
     for (let i = 0; i < 1000; ++i)
         crease.compose(recipe);
-    assert.ok((performance.now() - begin) / 1000 < 10, 'more than 10 ms');
+    const {user, system} = process.cpuUsage(begin);
+    assert.ok((user + system) / 1e6 < 10, `${(user + system) / 1e6} ms`);
 });
 
 test('the module is small', () => {
