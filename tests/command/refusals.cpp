@@ -39,7 +39,7 @@ std::string cameras_with(const std::string& fields) {
 TEST_CASE("refuses: recipes") {
     expect_refusal(usage, "no part of the name 'nothing'", "emit nothing/single_layer/hbao");
     expect_refusal(usage, "needs taps in order along directions", "emit poisson_disk/single_layer/hbao");
-    expect_refusal(usage, "can be emitted of programs in the vulkan dialect only",
+    expect_refusal(usage, "can be emitted of programs in the dialects vulkan and webgpu only",
                    "emit directions/single_layer/hbao --dialect opengl --format spirv");
     expect_refusal(usage, "'1a' is no C++ identifier",
                    "emit directions/single_layer/hbao --format header --name 1a");

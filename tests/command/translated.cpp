@@ -92,8 +92,8 @@ TEST_CASE("emit: what a language cannot is refused, and nothing is written") {
         {"--target hlsl --format glsl", "--target and --format exclude each other: leave one out"},
         {"--target hlsl --strip",
          "--optimise, --strip and --target-env are of SPIR-V, and none is made here"},
-        {"--target hlsl --shape functions", "functions and the opengl dialect come as GLSL"},
-        {"--target wgsl", "wgsl not in {glsl,glsl-es,hlsl,msl,spirv}"}};
+        {"--target hlsl --shape functions", "functions and the dialects opengl and glsl_es come as GLSL"},
+        {"--target cg", "cg not in {glsl,glsl-es,hlsl,msl,spirv,wgsl}"}};
     for (const auto& each : refused) {
         CAPTURE(each.arguments);
         const temporary_folder folder;

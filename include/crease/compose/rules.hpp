@@ -119,20 +119,20 @@ namespace rules {
 /// @param all  with the parts of all roles
 constexpr refusal check_dialect(const choice_list& all, const choice& dialect) {
     const bool is_es = dialect_of(*dialect.what) == dialect_kind::glsl_es;
-    const int version = dialect.number_of("version");
-    if (is_es && version != 300 && version != 310)
+    const int asked = dialect.number_of("version");
+    if (is_es && asked != 300 && asked != 310)
         return {es_versions, dialect.what->name};
     for (const choice& c : all) {
-        if (version == 300 && c.what->kind == role::stage && stage_of(*c.what) == stage_kind::compute)
+        if (asked == 300 && c.what->kind == role::stage && stage_of(*c.what) == stage_kind::compute)
             return {es_fragments, c.what->name, dialect.what->name};
-        if (version == 300 && has(c.what->offers, &image_loads::value))
+        if (asked == 300 && has(c.what->offers, &image_loads::value))
             return {es_loads, c.what->name, dialect.what->name};
         for (const step& s : c.what->steps) {
             if (s.kind == step_kind::result || c.numbers[0] < s.from)
                 continue;
             if (s.kind == step_kind::geometry)
                 return {es_layers, c.what->name, dialect.what->name};
-            if (version == 300)
+            if (asked == 300)
                 return {es_fragments, c.what->name, dialect.what->name};
             if (s.how == access::modify)
                 return {es_in_place, c.what->name, dialect.what->name};

@@ -60,6 +60,7 @@ TEST_CASE("a part's GLSL has the part's stem") {
     const std::set<std::string_view> others{"texel_fetch",
                                             "image_load",
                                             "vulkan",
+                                            "webgpu",
                                             "opengl",
                                             "second_view",
                                             "further_views",

@@ -58,8 +58,8 @@ TEST_CASE("no global of glsl_es begins with what is uniform") {
 
 TEST_CASE("version 300 of glsl_es counts bits itself") {
     constexpr std::string_view bitmask = "slices/single_layer/visibility_bitmask/fragment/glsl_es:";
-    const auto text_of = [&](const char* version) {
-        const auto composed = std::make_unique<composition>(recipe(std::string(bitmask) + version));
+    const auto text_of = [&](const char* which) {
+        const auto composed = std::make_unique<composition>(recipe(std::string(bitmask) + which));
         return joined(composed->view().passes[0].pieces);
     };
     CHECK(contains(text_of("300"), "int crease_bit_count(uint bits) {\n    bits -= "));
