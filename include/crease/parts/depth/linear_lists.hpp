@@ -132,7 +132,8 @@ struct linear_lists_part {
                                                             &linear_surfaces_range_glsl,
                                                             &surface_fragments_glsl};
     static constexpr std::string_view counted[] = {"list_places", "nearest_fragments"};
-    static constexpr std::string_view places[] = {"list_places"}, starts[] = {"column_starts"};
+    static constexpr std::string_view places[] = {"list_places"};
+    static constexpr std::string_view starts[] = {"column_starts"};
     static constexpr std::string_view drawn[] = {"nearest_fragments", "list_places", "list_nodes",
                                                  "fragments_beyond_pool"};
     static constexpr role required[] = {role::scan};

@@ -53,9 +53,12 @@ inline constexpr resource layer_surfaces{.name = "layer_surfaces",
                                          .read = access::load,
                                          .shape = shape_fragment_layers};
 
+/// As many layers as the nodes of the layer compression take, four in each.
 constexpr void shape_compressed_layers(resource& own, const shape_of& effect) {
     own.layers = static_cast<unsigned>((effect.number_of(role::layer_compression, "nodes") + 3) / 4);
 }
+
+/// Two layers for each four nodes, of which the first normal and a part of the second are elsewhere.
 constexpr void shape_compressed_normals(resource& own, const shape_of& effect) {
     shape_compressed_layers(own, effect);
     own.layers *= 2;
