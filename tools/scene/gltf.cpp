@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace crease::tools {
 namespace {
@@ -276,8 +277,12 @@ private:
                     position += weights[i] * row_of(*shape.targets[i], vertex);
             result_.positions.emplace_back(moved(shape, vertex, joints, to_world) * glm::dvec4(position, 1));
         }
+        // A mirrored mesh keeps its front: glTF 2.0, 3.7.4.
+        const bool is_mirrored = joints.empty() && glm::determinant(glm::dmat3(to_world)) < 0;
         for (std::size_t i = 0; i < shape.triangles; ++i) {
-            const auto [a, b, c] = shape.triangle(i);
+            auto [a, b, c] = shape.triangle(i);
+            if (is_mirrored)
+                std::swap(b, c);
             add_triangle(result_, static_cast<std::uint32_t>(first + a),
                          static_cast<std::uint32_t>(first + b), static_cast<std::uint32_t>(first + c));
         }

@@ -65,6 +65,12 @@ TEST_CASE("glTF: node transforms multiply up to the root, and a mesh may stand t
                4e-15);
 }
 
+TEST_CASE("glTF: a mirrored mesh keeps its front faces") {
+    gltf_file file;
+    file.json["nodes"] = nlohmann::json::parse(R"([{"mesh": 0, "scale": [-1, 1, 1]}])");
+    CHECK(corners(file) == points{{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 0}, {0, 0, 1}, {0, 1, 0}});
+}
+
 TEST_CASE("glTF: nodes far from the origin keep the places that the file gives them") {
     gltf_file file;
     file.primitive()["mode"] = 4;
