@@ -7,22 +7,6 @@ float crease_cosine_bitmask_thickness_of_last(crease_march march, float depth_af
 __LINE__, R"glsl("
 #endif
 
-// Layers with an opacity: the slab that waits for the next tap hides some of its sectors.
-struct crease_march {
-    vec3 height, along;
-    float bias;
-    float reach;
-    vec2 constant, linear, square, cubic;
-    float weight;
-    vec2 towards;
-    uint hidden;
-    float occlusion;
-    int taps;
-    crease_cosine_bitmask_slab last;
-    float before_last;
-    uint of_last; // sectors that the last slab may hide
-};
-
 // As without opacity, but that where a receiver is looked at from behind the back of a slab comes first.
 uint crease_cosine_bitmask_sectors_of(crease_march march, crease_cosine_bitmask_slab slab, float thickness,
                                       out float nearest) {

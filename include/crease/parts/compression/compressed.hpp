@@ -10,9 +10,14 @@ inline constexpr glsl_file compressed_glsl{
 #include <crease/compression/compressed.glsl>
 };
 
+inline constexpr glsl_file pack_compressed_glsl{
+    "compression/pack_compressed.glsl",
+#include <crease/compression/pack_compressed.glsl>
+};
+
 struct compressed_part {
     using needs = traits<layers_with_opacity, layers_alone>;
-    static constexpr const glsl_file* files[] = {&compressed_glsl, &nodes_glsl};
+    static constexpr const glsl_file* files[] = {&compressed_glsl, &pack_compressed_glsl, &nodes_glsl};
     static constexpr part description{
         .kind = role::layer_compression,
         .name = "compressed",
@@ -21,7 +26,6 @@ struct compressed_part {
         .files = files,
         .numbers = compression_numbers,
         .needs = needs::list,
-
     };
 };
 

@@ -30,6 +30,11 @@ inline constexpr glsl_file surface_layers_glsl{
 #include <crease/depth/surface_layers.glsl>
 };
 
+inline constexpr glsl_file pack_whole_lists_glsl{
+    "depth/pack_whole_lists.glsl",
+#include <crease/depth/pack_whole_lists.glsl>
+};
+
 /// As many as of the groups of depths.
 constexpr void shape_packed_opacities(resource& own, const shape_of& effect) {
     own.layers = static_cast<unsigned>((effect.own.numbers[0] + 3) / 4);
@@ -88,7 +93,7 @@ inline constexpr std::string_view fills_surfaces_counting[] = {
     "compressed_layers", "compressed_normals", "fragments_beyond_layers"};
 
 /// The GLSL of such a source for all passes.
-inline constexpr const glsl_file* surface_files[] = {&surface_layers_glsl, &encoding_surface_normal_glsl,
-                                                     &encoding_octahedron_glsl};
+inline constexpr const glsl_file* surface_files[] = {
+    &surface_layers_glsl, &pack_whole_lists_glsl, &encoding_surface_normal_glsl, &encoding_octahedron_glsl};
 
 }

@@ -17,6 +17,11 @@ inline constexpr glsl_file cosine_bitmask_glsl{
 #include <crease/estimator/cosine_bitmask.glsl>
 };
 
+inline constexpr glsl_file cosine_bitmask_opacity_march_glsl{
+    "estimator/cosine_bitmask_opacity_march.glsl",
+#include <crease/estimator/cosine_bitmask_opacity_march.glsl>
+};
+
 inline constexpr glsl_file cosine_bitmask_opacity_glsl{
     "estimator/cosine_bitmask_opacity.glsl",
 #include <crease/estimator/cosine_bitmask_opacity.glsl>
@@ -38,7 +43,8 @@ struct cosine_bitmask_part {
     };
     static constexpr const glsl_file* files[] = {&open_horizon_glsl, &opacity_sectors_glsl,
                                                  &cosine_bitmask_glsl};
-    static constexpr const glsl_file* fading[] = {&cosine_bitmask_opacity_glsl};
+    static constexpr const glsl_file* fading[] = {&cosine_bitmask_opacity_march_glsl,
+                                                  &cosine_bitmask_opacity_glsl};
     static constexpr part description{
         .kind = role::estimator,
         .name = "cosine_bitmask",
