@@ -25,6 +25,11 @@ inline constexpr glsl_file pack_surfaces_glsl{
 #include <crease/depth/pack_surfaces.glsl>
 };
 
+inline constexpr glsl_file layers_with_opacity_glsl{
+    "depth/layers_with_opacity.glsl",
+#include <crease/depth/layers_with_opacity.glsl>
+};
+
 inline constexpr glsl_file surface_layers_glsl{
     "depth/surface_layers.glsl",
 #include <crease/depth/surface_layers.glsl>
@@ -93,7 +98,8 @@ inline constexpr std::string_view fills_surfaces_counting[] = {
     "compressed_layers", "compressed_normals", "fragments_beyond_layers"};
 
 /// The GLSL of such a source for all passes.
-inline constexpr const glsl_file* surface_files[] = {
-    &surface_layers_glsl, &pack_whole_lists_glsl, &encoding_surface_normal_glsl, &encoding_octahedron_glsl};
+inline constexpr const glsl_file* surface_files[] = {&layers_with_opacity_glsl, &surface_layers_glsl,
+                                                     &pack_whole_lists_glsl, &encoding_surface_normal_glsl,
+                                                     &encoding_octahedron_glsl};
 
 }
