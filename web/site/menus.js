@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Menus of parts and sliders of their numbers, that offer what fits and say of the rest why it does not.
 import {element, number_control} from './dom.js';
-import {name_of} from './recipe.js';
+import {name_of, replaced} from './recipe.js';
 
 const main_roles = ['sampler', 'depth source', 'estimator'];
 const further_roles = ['normals', 'noise', 'layer traversal', 'receivers', 'output', 'output format', 'image reads'];
@@ -41,7 +41,7 @@ export class Menus {
         const entries = this.recipes.main[index].map((name) => {
             const words = name === chosen ? this.words : this.recipes.with_main(this.words, index, name);
             const changes = words && words.some((word, i) => i !== index && word !== this.words[i]);
-            return {name, words, note: changes ? ' *' : '', reason: words ? '' : this.recipes.refusal(this.words.with(index, name))};
+            return {name, words, note: changes ? ' *' : '', reason: words ? '' : this.recipes.refusal(replaced(this.words, index, name))};
         });
         return this.#group(role, chosen, entries, this.#numbers(index));
     }
@@ -94,7 +94,7 @@ export class Menus {
             value: values[i],
             on_input: (value) => {
                 values[i] = value;
-                this.words = this.words.with(index, `${name}:${values.join('x')}`);
+                this.words = replaced(this.words, index, `${name}:${values.join('x')}`);
                 this.change(this.words, {keep_menus: true});
             },
         }));
@@ -106,12 +106,12 @@ export class Menus {
             if (recipes.role_of(word) !== 'filter')
                 return [];
             const remove = element('button', {type: 'button', 'aria-label': `remove ${title_of(name_of(word))}`}, '×');
-            remove.addEventListener('click', () => this.change(words.toSpliced(index, 1)));
+            remove.addEventListener('click', () => this.change(words.filter((_, i) => i !== index)));
             return [element('div', {className: 'filter'}, element('span', {}, title_of(name_of(word))), remove), ...this.#numbers(index)];
         });
         const all = recipes.of_role('filter').map((name) => {
             const last = words.findLastIndex((word, i) => i < 3 || recipes.role_of(word) === 'filter');
-            return {name, words: words.toSpliced(last + 1, 0, name)};
+            return {name, words: [...words.slice(0, last + 1), name, ...words.slice(last + 1)]};
         });
         const fitting = all.filter(({words: more}) => recipes.fits(more));
         const select = element('select', {id: 'menu-filter', 'data-menu': 'filter'},

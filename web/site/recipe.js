@@ -6,6 +6,11 @@ export function name_of(word) {
     return word.split(':')[0];
 }
 
+/** The words with another in the place of one. */
+export function replaced(words, index, word) {
+    return words.map((each, i) => i === index ? word : each);
+}
+
 /** Recipes as menus change them: each part a word, the first three sampler, depth source and estimator. */
 export class Recipes {
     /**
@@ -45,7 +50,7 @@ export class Recipes {
 
     /** The words with a part of one of the first three roles, the others changed as little as makes it fit; or null. */
     with_main(words, index, word) {
-        const wanted = words.with(index, word);
+        const wanted = replaced(words, index, word);
         const rest = wanted.slice(3);
         const tails = [rest, rest.filter((each) => this.role_of(each) !== 'filter'), []];
         const others = [0, 1, 2].filter((i) => i !== index);
@@ -62,9 +67,9 @@ export class Recipes {
         const near = (i) => [three[i], ...this.main[i].filter((name) => name !== name_of(three[i]))];
         const tries = [three];
         for (const i of others)
-            tries.push(...near(i).slice(1).map((word) => three.with(i, word)));
+            tries.push(...near(i).slice(1).map((word) => replaced(three, i, word)));
         for (const a of near(first).slice(1))
-            tries.push(...near(second).slice(1).map((b) => three.with(first, a).with(second, b)));
+            tries.push(...near(second).slice(1).map((b) => replaced(replaced(three, first, a), second, b)));
         const found = tries.find((words) =>
             this.triples.has(words.map(name_of).join('/')) && this.fits([...words, ...tail]));
         return found ? [...found, ...tail] : null;
