@@ -64,10 +64,11 @@ inline std::vector<std::string> first_of_each(const std::vector<std::string>& te
 }
 
 /// The recipes of legal compositions of the parts of crease, the numbers left at their defaults. Every
-/// sampler, depth source and estimator meets every layer traversal, further view and output, and with them
-/// the parts of each other role one by one, as roles call each other in pairs. A choice of them, in which
-/// each part stands, meets every projection and encoding of depth with all normals and with every stage
-/// and dialect, and all filters, storages, coverages and scans.
+/// sampler, depth source and estimator meets every layer traversal and output, and with every traversal the
+/// parts of each other role one by one, as roles call each other in pairs. A choice of them, in which each
+/// part stands, meets every further view and output with every filter, and with them the parts of each other
+/// role one by one; every projection and encoding of depth with all normals and with every stage and dialect;
+/// and all chains of filters, storages, coverages, compressions and scans.
 inline std::vector<std::string> every_recipe() {
     using enum crease::role;
     const auto legal = [](std::vector<std::string> texts) {
@@ -81,16 +82,16 @@ inline std::vector<std::string> every_recipe() {
     };
     const std::vector<std::string> three =
         legal(times(times(names_of(sampler), names_of(depth_source)), names_of(estimator)));
-    const std::vector<std::string> more =
-        legal(times(legal(times(three, optional(layer_traversal))), names_of(output)));
+    const std::vector<std::string> traversed = legal(times(three, optional(layer_traversal)));
+    const std::vector<std::string> more = legal(times(traversed, names_of(output)));
     const std::vector<std::string> views = times(more, names_of(further_views));
 
     const std::vector<std::string> firsts = first_of_each(three);
     const std::vector<std::string> views_of_firsts =
         times(times(firsts, names_of(projection)), names_of(depth_encoding));
     std::vector<std::string> all = times(views_of_firsts, names_of(normals));
-    const std::vector<std::string> filtered =
-        times(legal(times(legal(times(firsts, optional(further_views))), names_of(output))), filter_chains());
+    const std::vector<std::string> outputs_of_firsts =
+        legal(times(legal(times(firsts, optional(further_views))), names_of(output)));
     const std::vector<std::string> captures =
         times(legal(times(times(firsts, names_of(layer_storage)), names_of(coverage))), names_of(projection));
     const std::vector<std::string> compressed =
@@ -100,11 +101,13 @@ inline std::vector<std::string> every_recipe() {
     const std::vector<std::string> reads =
         times(legal(times(times(firsts, names_of(image_reads)), names_of(depth_encoding))), optional(filter));
     for (const auto& each :
-         {views, times(times(views_of_firsts, names_of(stage)), names_of(dialect)),
-          one_by_one(more, {projection, depth_encoding, normals, noise, receivers, layer_compression,
-                            output_format, image_reads, filter, stage, dialect}),
-          one_by_one(filtered, {projection, depth_encoding, normals, noise, receivers, output_format,
-                                image_reads, stage, dialect}),
+         {more, views, times(times(views_of_firsts, names_of(stage)), names_of(dialect)),
+          times(outputs_of_firsts, filter_chains()),
+          one_by_one(traversed, {projection, depth_encoding, normals, noise, receivers, layer_compression,
+                                 output_format, image_reads, filter, stage, dialect}),
+          one_by_one(legal(times(outputs_of_firsts, optional(filter))),
+                     {projection, depth_encoding, normals, noise, receivers, layer_compression, output_format,
+                      image_reads, stage, dialect}),
           times(captures, names_of(dialect)), times(compressed, names_of(dialect)),
           times(scans, names_of(dialect)), times(reads, names_of(dialect))})
         all.insert(all.end(), each.begin(), each.end());
