@@ -28,10 +28,21 @@ bool changes_wide_image(const std::string& text) {
     return false;
 }
 
+/// Whether the text asks how long an array is that it declares without a length.
+bool asks_length_of_buffer(const std::string& text) {
+    for (std::size_t at = text.find(".length()"); at != std::string::npos;
+         at = text.find(".length()", at + 1)) {
+        const std::size_t name = text.find_last_of(" (!", at) + 1;
+        if (contains(text, " " + text.substr(name, at - name) + "[];"))
+            return true;
+    }
+    return false;
+}
+
 /// Whether a language has no counterpart of a program, read from its GLSL.
 bool is_beyond(const std::string& glsl, const pass& p, const target& to) {
     if (to.to == language::msl)
-        return has_any(glsl, {"imageAtomic", ".length()"});
+        return contains(glsl, "imageAtomic") || asks_length_of_buffer(glsl);
     if (contains(glsl, "subgroup"))
         return true;
     if (to.to != language::glsl_es)
