@@ -39,7 +39,7 @@ void check_programs(const crease::effect_view& effect) {
         std::vector<crease::piece> pieces(each.pieces.begin(), each.pieces.end());
         if (each.stage == crease::stage_kind::geometry) {
             pieces.insert(pieces.begin(), {"version", "#version 450\n"});
-            pieces.push_back(step::fragment[0]);
+            pieces.push_back(step::fragment_of(each)[0]);
         }
         if (each.dialect == crease::dialect_kind::opengl) {
             CHECK_NOTHROW(crease::spirv::check_opengl(each));

@@ -44,6 +44,15 @@ inline constexpr crease::piece fragment[] = {{"step.frag", R"(
 layout(location = 0) in vec3 anchor;
 void main() { crease_capture(anchor); }
 )"}};
+inline constexpr crease::piece surface_fragment[] = {{"step.frag", R"(
+layout(location = 0) in vec3 anchor;
+void main() { crease_capture(anchor, vec3(0.0, 0.0, 1.0), vec4(1.0)); }
+)"}};
+
+/// The host's part of the fragment shader of a geometry pass.
+inline crease::array_view<const crease::piece> fragment_of(const crease::pass& geometry) {
+    return geometry.takes_surfaces ? surface_fragment : fragment;
+}
 
 /// The far wall whole, also where the near one hides it.
 inline std::vector<float> triangles() {
@@ -95,13 +104,14 @@ inline std::vector<float> run(const crease::effect_view& effect, const std::stri
     }
     const crease::vulkan::mesh walls(device(), triangles());
     const std::span<const std::byte> camera = std::as_bytes(std::span(perspective));
-    const crease::vulkan::geometry_shaders shaders{.vertex = vertex,
-                                                   .fragment = fragment,
-                                                   .push_constant_bytes = sizeof perspective,
-                                                   .reversed_depth = true};
     for (const crease::pass& each : effect.passes)
         if (each.stage == crease::stage_kind::geometry)
-            runner.set_geometry(each.name, shaders, walls, camera);
+            runner.set_geometry(each.name,
+                                {.vertex = vertex,
+                                 .fragment = fragment_of(each),
+                                 .push_constant_bytes = sizeof perspective,
+                                 .reversed_depth = true},
+                                walls, camera);
     crease::parameters p = parameters_for(effect, is_orthographic);
     for (; p.frame < 2; ++p.frame)
         runner.run(p);
