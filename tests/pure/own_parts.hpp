@@ -225,6 +225,37 @@ vec4 crease_scan_before(vec4 own, int along, int pieces, int stride) {
                                       .steps = own_scan_owns::steps};
 };
 
+OWN_THINGS(own_compression)
+struct own_compression {
+    using needs = traits<layers_with_opacity, layers_alone>;
+    static constexpr number takes[] = {{"nodes", 4, 4, 4, "layers that are kept"}};
+    static constexpr glsl_file glsl{"own/compression.glsl", OWN_VALUE(own_compression) R"(
+const int crease_most_layers = crease_own_compression_nodes;
+const int crease_first_to_go = crease_own_compression_nodes;
+
+void crease_pack_fragments(ivec2 texel, crease_fragments sorted) {
+    crease_nodes nodes = crease_begin_nodes();
+    for (int i = 0; i < crease_most_surfaces; ++i)
+        if (sorted.keys[i] != crease_no_fragment)
+            crease_add_node(nodes, uintBitsToFloat(sorted.keys[i] >> 1) * crease_own_compression_value(),
+                            crease_fragment_surface(texel, sorted.places[i]));
+    crease_store_nodes(texel, nodes);
+}
+)"};
+    static constexpr const glsl_file* files[] = {&glsl, &nodes_glsl};
+    static constexpr part description{.kind = role::layer_compression,
+                                      .name = "own_compression",
+                                      .summary = "the nearest, a little moved",
+                                      .source = "",
+                                      .files = files,
+                                      .numbers = takes,
+                                      .settings = own_compression_owns::tint,
+                                      .resources = own_compression_owns::images,
+                                      .steps = own_compression_owns::steps,
+                                      .needs = needs::list};
+    static constexpr int numbers[] = {4};
+};
+
 OWN_THINGS(own_source)
 struct own_source {
     static constexpr glsl_file glsl{"own/source.glsl", OWN_VALUE(own_source) R"(
@@ -541,6 +572,8 @@ inline constexpr std::tuple examples{
         "directions/stochastic_layers/hbao_plus/own_storage"},
     example<own_scan, effect<sample_box, summed_area<>, mean_height<>, own_scan>>{
         "sample_box/summed_area/mean_height/own_scan"},
+    example<own_compression, effect<directions<>, linked_lists<>, hbao_plus, own_compression>>{
+        "directions/linked_lists/hbao_plus/own_compression"},
     example<own_source, effect<directions<>, own_source, hbao_plus>>{"directions/own_source/hbao_plus"},
     example<own_sampler, effect<own_sampler, single_layer, hbao_plus>>{
         "own_sampler:6/single_layer/hbao_plus"},

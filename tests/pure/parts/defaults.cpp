@@ -12,10 +12,12 @@ TEST_CASE("every role that need not be named has a default, and of those that fi
         const role kind = static_cast<role>(r);
         CAPTURE(name_of(kind));
         const bool named = kind == role::sampler || kind == role::depth_source || kind == role::estimator ||
-                           kind == role::filter || kind == role::further_views;
+                           kind == role::filter || kind == role::further_views ||
+                           kind == role::layer_compression;
+        const bool has_two = kind == role::layer_traversal || kind == role::receivers;
         const auto count =
             std::ranges::count(default_choices, kind, [](const choice& c) { return c.what->kind; });
-        CHECK(count == (named ? 0 : kind == role::layer_traversal ? 2 : 1));
+        CHECK(count == (named ? 0 : has_two ? 2 : 1));
     }
 }
 
