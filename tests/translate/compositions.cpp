@@ -50,9 +50,10 @@ bool is_beyond(const std::string& glsl, const pass& p, const target& to) {
     if (has_any(glsl, {"layout(r8,", "layout(rg32f,", "layout(rg32ui,", "textureQueryLevels("}) ||
         changes_wide_image(glsl))
         return true;
-    return to.version < 310 && (p.stage == stage_kind::compute || p.stage == stage_kind::functions ||
-                                has_any(glsl, {"image2D", "buffer crease_", "sampler2DMS", "gl_SampleMask",
-                                               "bitCount(", "findMSB(", "findLSB("}));
+    return to.version < 310 &&
+           (p.stage == stage_kind::compute || p.stage == stage_kind::functions ||
+            has_any(glsl, {"image2D", "buffer crease_", "sampler2DMS", "gl_SampleMask", "bitCount(",
+                           "findMSB(", "findLSB(", "packUnorm4x8(", "unpackUnorm4x8("}));
 }
 
 /// The names in the text of all members of the block of parameters that hosts set.

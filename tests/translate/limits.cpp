@@ -148,6 +148,12 @@ TEST_CASE("what GLSL ES 3.00 has not") {
               "GLSL ES 3.00: it counts, finds or moves bits, which GLSL ES has from 3.10 on");
         CHECK(refused(310, "", body).empty());
     }
+    for (const char* bytes : {"unpackUnorm4x8(uint(gl_FragCoord.x))", "vec4(packSnorm4x8(gl_FragCoord))"}) {
+        const std::string body = "colour = " + std::string(bytes) + ";";
+        CHECK(refused(300, "", body) ==
+              "GLSL ES 3.00: it packs or unpacks four bytes, which GLSL ES has from 3.10 on");
+        CHECK(refused(310, "", body).empty());
+    }
     CHECK(refused(300, "", "gl_SampleMask[0] = 1; colour = vec4(1.0);") ==
           "GLSL ES 3.00: it sets the sample mask, which GLSL ES has from 3.20 on, and 3.10 by an extension");
 }

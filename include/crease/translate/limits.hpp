@@ -101,6 +101,9 @@ private:
             uses_.calls_any_of({GLSLstd450FindILsb, GLSLstd450FindSMsb, GLSLstd450FindUMsb});
         if (has_bits || has_places_of_bits)
             return std::string("counts, finds or moves bits") + from_310;
+        if (uses_.calls_any_of({GLSLstd450PackSnorm4x8, GLSLstd450PackUnorm4x8, GLSLstd450UnpackSnorm4x8,
+                                GLSLstd450UnpackUnorm4x8}))
+            return std::string("packs or unpacks four bytes") + from_310;
         if (uses_.builtins.contains(spv::BuiltInSampleMask))
             return "sets the sample mask, which GLSL ES has from 3.20 on, and 3.10 by an extension";
         return "";
