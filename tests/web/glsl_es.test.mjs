@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Effects of fragment shaders in GLSL ES 3.00 as Chromium's WebGL 2 reads them, which refuses what glslang does not, such as ?: on structs.
 import assert from 'node:assert/strict';
-import {existsSync} from 'node:fs';
-import {createRequire} from 'node:module';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {pathToFileURL} from 'node:url';
 
-const {CHROMIUM, MODULES, PACKAGE} = process.env;
-const needed = [CHROMIUM, join(MODULES, 'playwright-core')].find((path) => !existsSync(path));
-if (needed !== undefined) {
-    console.log(`skipped: ${needed || 'chromium'} is missing`);
-    process.exit(77);
-}
+import {need_browser} from './packages.mjs';
 
-const {chromium} = createRequire(join(MODULES, '..', 'package.json'))('playwright-core');
+const {PACKAGE} = process.env;
+const launch = need_browser();
 let crease, browser, page;
 
 before(async () => {
     crease = await (await import(pathToFileURL(join(PACKAGE, 'crease.js')))).load();
-    browser = await chromium.launch({executablePath: CHROMIUM, args: ['--no-sandbox']});
+    browser = await launch();
     page = await browser.newPage();
 });
 

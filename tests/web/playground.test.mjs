@@ -2,29 +2,24 @@
 // The page in headless Chromium: its pictures against those of the crease command, and what a visitor does.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
-import {existsSync, mkdtempSync, rmSync, writeFileSync} from 'node:fs';
+import {mkdtempSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {after, afterEach, before, beforeEach, test} from 'node:test';
-import {pathToFileURL} from 'node:url';
 
 import {read_pfm} from '../../web/bake/pfm.mjs';
 import {views} from '../../web/bake/scenes.mjs';
 import {serve} from '../../web/serve.mjs';
+import {need_browser} from './packages.mjs';
 
-const {CHROMIUM, CREASE, MODULES, SITE} = process.env;
-const needed = [CHROMIUM, join(MODULES, 'playwright-core')].find((path) => !existsSync(path));
-if (needed !== undefined) {
-    console.log(`skipped: ${needed || 'chromium'} is missing`);
-    process.exit(77);
-}
-const {chromium} = (await import(pathToFileURL(join(MODULES, 'playwright-core/index.js')))).default;
+const {CREASE, SITE} = process.env;
+const launch = need_browser();
 const folder = mkdtempSync(join(tmpdir(), 'crease-playground-'));
 let server, address, browser, page, messages;
 
 before(async () => {
     ({server, address} = await serve(SITE));
-    browser = await chromium.launch({executablePath: CHROMIUM, args: ['--no-sandbox']});
+    browser = await launch();
 });
 
 after(async () => {

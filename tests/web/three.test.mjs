@@ -2,24 +2,21 @@
 // crease/three in headless Chromium: the pictures of three.js's composer against those of the command, for the same scene.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
-import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
-import {createServer} from 'node:http';
+import {mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
-import {extname, join} from 'node:path';
+import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {fileURLToPath, pathToFileURL} from 'node:url';
+import {fileURLToPath} from 'node:url';
 
-const {CHROMIUM, CREASE, MODULES, PACKAGE} = process.env;
-const needed = [CHROMIUM, join(MODULES, 'three'), join(MODULES, 'playwright-core')].find((path) => !existsSync(path));
-if (needed !== undefined) {
-    console.log(`skipped: ${needed || 'chromium'} is missing`);
-    process.exit(77);
-}
+import {read_pfm} from '../../web/bake/pfm.mjs';
+import {serve} from '../../web/serve.mjs';
+import {need, need_browser} from './packages.mjs';
 
+const {CREASE, MODULES, PACKAGE} = process.env;
+need('three');
+const launch = need_browser();
 const here = fileURLToPath(new URL('.', import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), 'crease-three-'));
-const types = {'.html': 'text/html', '.js': 'text/javascript', '.wasm': 'application/wasm'};
-const roots = {package: PACKAGE, three: join(MODULES, 'three')};
 
 /** Boxes on a floor, as three.js and as the command read them. */
 function box(low, high, scene) {
@@ -44,10 +41,7 @@ function of_command(recipe, ...options) {
     writeFileSync(join(folder, 'boxes.obj'), [...vertices, ...faces, ''].join('\n'));
     writeFileSync(join(folder, 'boxes.cameras.json'), JSON.stringify([camera]));
     execFileSync(CREASE, ['render', join(folder, 'boxes.obj'), '--recipe', recipe, '-o', folder, ...options], {stdio: 'pipe'});
-    const pfm = readFileSync(join(folder, 'ao.pfm'));
-    const {width, height} = camera;
-    const values = new Float32Array(pfm.buffer.slice(pfm.byteOffset + pfm.length - 4 * width * height, pfm.byteOffset + pfm.length));
-    return Array.from({length: width * height}, (_, i) => 255 * values[(height - 1 - Math.floor(i / width)) * width + i % width]);
+    return Array.from(read_pfm(join(folder, 'ao.pfm')).texels, (value) => 255 * value);
 }
 
 /** The mean of how far two pictures are apart, in shares of 1. */
@@ -56,27 +50,22 @@ function apart(one, other) {
     return one.reduce((sum, value, i) => sum + Math.abs(value - other[i]), 0) / one.length / 255;
 }
 
-let browser, page, server;
+let address, browser, page, server;
 const said = [];
 const draw = (how) => page.evaluate((options) => window.draw(options), {scene, camera, radius: camera.ao_radius, ...how});
 
 before(async () => {
-    server = createServer((request, answer) => {
-        const [, root, ...rest] = new URL(request.url, 'http://localhost').pathname.split('/');
-        const path = roots[root] ? join(roots[root], ...rest) : join(here, root, ...rest);
-        if (!existsSync(path)) {
-            answer.writeHead(404).end();
-            return;
-        }
-        answer.writeHead(200, {'Content-Type': types[extname(path)] ?? 'text/plain'}).end(readFileSync(path));
-    });
-    await new Promise((done) => server.listen(0, 'localhost', done));
-    const {chromium} = (await import(pathToFileURL(join(MODULES, 'playwright-core/index.js')))).default;
-    browser = await chromium.launch({executablePath: CHROMIUM, args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
+    const site = join(folder, 'site');
+    mkdirSync(site);
+    for (const [name, place] of [['package', PACKAGE], ['three', join(MODULES, 'three')], ['three.html', join(here, 'three.html')],
+                                 ['three_page.js', join(here, 'three_page.js')]])
+        symlinkSync(place, join(site, name));
+    ({server, address} = await serve(site));
+    browser = await launch('--use-angle=swiftshader', '--enable-unsafe-swiftshader');
     page = await browser.newPage();
     page.on('console', (message) => said.push(message.text()));
     page.on('pageerror', (error) => said.push(String(error)));
-    await page.goto(`http://localhost:${server.address().port}/three.html`);
+    await page.goto(`${address}three.html`);
     await page.waitForFunction(() => window.ready).catch((error) => assert.fail(`${error}: ${said}`));
 });
 

@@ -3,21 +3,16 @@
 // is needed, as Dawn's null backend draws nothing.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
-import {existsSync, mkdtempSync, readFileSync, rmSync} from 'node:fs';
-import {createRequire} from 'node:module';
+import {mkdtempSync, readFileSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {pathToFileURL} from 'node:url';
 
-const {EMIT, MODULES, PACKAGE} = process.env;
-const needed = [join(MODULES, 'naga-wasm'), join(MODULES, 'webgpu')].find((path) => !existsSync(path));
-if (needed !== undefined) {
-    console.log(`skipped: ${needed} is missing`);
-    process.exit(77);
-}
+import {need, require} from './packages.mjs';
 
-const require = createRequire(join(MODULES, '..', 'package.json'));
+const {EMIT, MODULES, PACKAGE} = process.env;
+need('naga-wasm', 'webgpu');
 const folder = mkdtempSync(join(tmpdir(), 'crease-wgsl-'));
 let crease, naga, gpu, device;
 

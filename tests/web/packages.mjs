@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What the tests take from npm, and Chromium. Where it is missing a test says so and ends with exit status 77: skipped.
+import {existsSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {join} from 'node:path';
+
+const {CHROMIUM, MODULES} = process.env;
+
+/** Finds npm's packages where the test web_modules has installed them. */
+export const require = createRequire(join(MODULES, '..', 'package.json'));
+
+function skip_without(what, path) {
+    if (existsSync(path))
+        return;
+    console.log(`skipped: ${what} is missing`);
+    process.exit(77);
+}
+
+/** Ends a test that needs packages which are not there. */
+export function need(...packages) {
+    for (const name of packages)
+        skip_without(name, join(MODULES, name));
+}
+
+/** Ends a test that needs a browser where none is there; returns what starts it. */
+export function need_browser() {
+    skip_without('chromium', CHROMIUM);
+    need('playwright-core');
+    const {chromium} = require('playwright-core');
+    return (...args) => chromium.launch({executablePath: CHROMIUM, args: ['--no-sandbox', ...args]});
+}
