@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
+float crease_fragment_depth(uint key);
 uvec2 crease_fragment_surface(ivec2 texel, uint place);
 void crease_add_node(inout crease_nodes nodes, float depth, uvec2 surface);
 crease_nodes crease_begin_nodes();
@@ -18,9 +19,8 @@ void crease_pack_fragments(ivec2 texel, crease_fragments sorted) {
     bool there = true;
     crease_unroll for (int i = 0; i < crease_most_surfaces; ++i)
         if (there) {
-            float depth = uintBitsToFloat(sorted.keys[i] >> 1);
-            there = sorted.keys[i] != crease_no_fragment && depth < crease_background;
-            depth = !there ? crease_background : (sorted.keys[i] & 1u) == 0u ? depth : -depth;
+            float depth = crease_fragment_depth(sorted.keys[i]);
+            there = depth < crease_background;
             uvec2 surface = there ? crease_fragment_surface(texel, sorted.places[i]) : uvec2(0u);
             if (there)
                 crease_add_node(nodes, depth, surface);

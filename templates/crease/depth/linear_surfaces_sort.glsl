@@ -18,7 +18,7 @@ crease_fragments crease_sorted_fragments(ivec2 texel) {
     uint end = min(min(range.x + stored, range.y), uint(crease_list_nodes.length()));
     uint beyond = 0u;
     for (uint node = range.x; node < end; ++node)
-        beyond += crease_insert_fragment(sorted, crease_list_nodes[node].y, node) != crease_no_fragment ? 1u : 0u;
+        beyond += crease_insert_fragment(sorted, crease_list_nodes[node].y, node);
     if (beyond > 0u)
         atomicAdd(crease_fragments_beyond_layers[0], beyond);
     return sorted;

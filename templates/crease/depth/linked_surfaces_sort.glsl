@@ -15,7 +15,7 @@ crease_fragments crease_sorted_fragments(ivec2 texel) {
     uint node = crease_load_list_heads(ivec3(texel, 1)).x;
     while (node != crease_no_node) {
         uvec2 own = crease_list_nodes[node].yw;
-        beyond += crease_insert_fragment(sorted, own.x, node) != crease_no_fragment ? 1u : 0u;
+        beyond += crease_insert_fragment(sorted, own.x, node);
         node = own.y;
     }
     if (beyond > 0u)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
+float crease_fragment_depth(uint key);
 uvec2 crease_fragment_surface(ivec2 texel, uint place);
 #else
 __LINE__, R"glsl("
@@ -14,10 +15,9 @@ void crease_pack_fragments(ivec2 texel, crease_fragments sorted) {
             group = crease_no_group;
             is_stored = there;
         }
-        float depth = uintBitsToFloat(sorted.keys[i] >> 1);
-        bool ends = !(sorted.keys[i] != crease_no_fragment && depth < crease_background);
+        float depth = crease_fragment_depth(sorted.keys[i]);
+        bool ends = !(depth < crease_background);
         uvec2 surface = ends ? uvec2(0xff000000u, 0u) : crease_fragment_surface(texel, sorted.places[i]);
-        depth = ends ? crease_background : (sorted.keys[i] & 1u) == 0u ? depth : -depth;
         if (there)
             imageStore(crease_layer_surfaces, ivec3(texel, i), uvec4(floatBitsToUint(depth), surface, 0u));
         group.depths[i % 4] = depth;

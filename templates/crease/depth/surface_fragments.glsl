@@ -9,7 +9,7 @@ struct crease_fragments {
     uint places[32];
 };
 
-// Inserts a fragment; returns the key of the one that falls out at the end.
+// Inserts a fragment, and returns how many fall out at the end.
 uint crease_insert_fragment(inout crease_fragments sorted, uint key, uint place) {
     crease_unroll for (int i = 0; i < crease_most_surfaces; ++i) {
         bool nearer = key < sorted.keys[i];
@@ -19,7 +19,7 @@ uint crease_insert_fragment(inout crease_fragments sorted, uint key, uint place)
         key = farther.x;
         place = farther.y;
     }
-    return key;
+    return key != crease_no_fragment ? 1u : 0u;
 }
 
 crease_fragments crease_begin_fragments() {

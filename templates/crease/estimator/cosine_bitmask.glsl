@@ -95,9 +95,10 @@ float crease_cosine_bitmask_sector(crease_march march, float sine) {
 // The edge of a layer lies somewhere between its tap and the one before.
 float crease_cosine_bitmask_nearer(float gap) { return max(1.0 - 0.3 * gap, 0.4); }
 
-// The sectors that a slab of this thickness hides, and how near it is: 1 / the distance of its nearer end, over cos g.
-uint crease_cosine_bitmask_sectors_of(crease_march march, crease_cosine_bitmask_slab slab, float thickness,
-                                      out float nearest) {
+// The bits of the sectors where a slab of this thickness begins and ends, and how near it is: 1 / the distance of its
+// nearer end, over cos g.
+uvec2 crease_cosine_bitmask_ends_of(crease_march march, crease_cosine_bitmask_slab slab, float thickness,
+                                    out float nearest) {
     vec2 height = vec2(slab.height, slab.ray_height * thickness + slab.height);
     vec2 along = vec2(slab.along * crease_cosine_bitmask_nearer(slab.gap), slab.ray_along * thickness + slab.along);
     vec2 inverse = inversesqrt(height * height + along * along);
@@ -105,7 +106,13 @@ uint crease_cosine_bitmask_sectors_of(crease_march march, crease_cosine_bitmask_
     vec2 sine = along * inverse;
     vec2 sector = march.constant + sine * (march.linear + sine * (march.square + sine * march.cubic));
     sector = mix(vec2(0.0), clamp(sector, 0.0, 31.0), greaterThan(height, vec2(0.0)));
-    uvec2 bit = uvec2(1u) << uvec2(sector);
+    return uvec2(1u) << uvec2(sector);
+}
+
+// The sectors that it hides.
+uint crease_cosine_bitmask_sectors_of(crease_march march, crease_cosine_bitmask_slab slab, float thickness,
+                                      out float nearest) {
+    uvec2 bit = crease_cosine_bitmask_ends_of(march, slab, thickness, nearest);
     uint hidden = bit.x - min(bit.x, bit.y);
     return nearest > march.reach ? hidden : 0u; // a select; a branch costs more
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
-float crease_cosine_bitmask_nearer(float gap);
+uvec2 crease_cosine_bitmask_ends_of(crease_march march, crease_cosine_bitmask_slab slab, float thickness, out float nearest);
 void crease_cosine_bitmask_hide(inout crease_march march, uint hidden, float nearness);
 float crease_cosine_bitmask_thickness_of_last(crease_march march, float depth_after);
 #else
@@ -10,14 +10,7 @@ __LINE__, R"glsl("
 // As without opacity, but that where a receiver is looked at from behind the back of a slab comes first.
 uint crease_cosine_bitmask_sectors_of(crease_march march, crease_cosine_bitmask_slab slab, float thickness,
                                       out float nearest) {
-    vec2 height = vec2(slab.height, slab.ray_height * thickness + slab.height);
-    vec2 along = vec2(slab.along * crease_cosine_bitmask_nearer(slab.gap), slab.ray_along * thickness + slab.along);
-    vec2 inverse = inversesqrt(height * height + along * along);
-    nearest = max(inverse.x, inverse.y);
-    vec2 sine = along * inverse;
-    vec2 sector = march.constant + sine * (march.linear + sine * (march.square + sine * march.cubic));
-    sector = mix(vec2(0.0), clamp(sector, 0.0, 31.0), greaterThan(height, vec2(0.0)));
-    uvec2 bit = uvec2(1u) << uvec2(sector);
+    uvec2 bit = crease_cosine_bitmask_ends_of(march, slab, thickness, nearest);
     bool from_behind = slab.ray_height * march.towards.x > slab.ray_along * march.towards.y; // the way on leads to the eye
     bit = from_behind ? bit.yx : bit;
     uint hidden = bit.x - min(bit.x, bit.y);
