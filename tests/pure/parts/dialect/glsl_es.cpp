@@ -25,8 +25,8 @@ static_assert(texels_of(of_webgl::view(), "between_0") == format::r32_uint ||
               texels_of(of_webgl::view(), "between_0") == format::rg32_uint);
 static_assert(texels_of(of_es_31::view(), "visibility") == format::rgba8_unorm);
 
-std::string_view error_of(std::string_view text) {
-    return recipe(text).error();
+std::string error_of(std::string_view text) {
+    return std::string(recipe(text).error());
 }
 
 }
