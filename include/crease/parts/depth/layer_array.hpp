@@ -33,16 +33,18 @@ struct layer_array_part {
          .how = access::modify},
         {.name = "pack_layers", .files = packing, .kind = step_kind::texels, .writes = fills_packed_layers}};
     static constexpr const glsl_file* files[] = {&layer_array_glsl, &sided_layers_glsl, &packed_layers_glsl};
+    static constexpr files_where more[] = {{&layers_in_strips::value, packed_layers_strips}};
     static constexpr part description{
         .kind = role::depth_source,
         .name = "layer_array",
         .summary = "the nearest layers of each texel, exactly, in an array image",
         .source = "a-buffer-ssao 2013, IV.C, with layers that stay sorted",
         .files = files,
+        .widened = more,
         .numbers = takes,
         .resources = owns,
         .steps = passes,
-        .offers = traits<depth_layers, layers_behind_front>::list,
+        .offers = traits<depth_layers, layers_behind_front, layers_in_strips>::list,
     };
 };
 

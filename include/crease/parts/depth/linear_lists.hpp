@@ -167,17 +167,19 @@ struct linear_lists_part {
                                        .writes = fills_surfaces_counting,
                                        .how = access::modify}};
     static constexpr const glsl_file* files[] = {&linear_lists_glsl, &sided_layers_glsl, &packed_layers_glsl};
+    static constexpr files_where more[] = {{&layers_with_opacity::value, surface_files},
+                                           {&layers_in_strips::value, packed_layers_strips}};
     static constexpr part description{
         .kind = role::depth_source,
         .name = "linear_lists",
         .summary = "all fragments in a bounded pool, those of a texel side by side; the nearest are sorted",
         .source = "a-buffer-ssao 2013, IV.B",
         .files = files,
-        .widened = {&layers_with_opacity::value, surface_files},
+        .widened = more,
         .numbers = takes,
         .resources = owns,
         .steps = passes,
-        .offers = traits<depth_layers, layers_behind_front, layers_with_opacity>::list,
+        .offers = traits<depth_layers, layers_behind_front, layers_with_opacity, layers_in_strips>::list,
         .required_roles = required,
     };
 };

@@ -58,16 +58,18 @@ struct peeled_layers_part {
         {.name = "pack_layers", .files = packing, .kind = step_kind::texels, .writes = fills_packed_layers}};
     static constexpr const glsl_file* files[] = {&peeled_layers_glsl, &sided_layers_glsl,
                                                  &packed_layers_glsl};
+    static constexpr files_where more[] = {{&layers_in_strips::value, packed_layers_strips}};
     static constexpr part description{
         .kind = role::depth_source,
         .name = "peeled_layers",
         .summary = "the nearest layers of each texel, exactly, in a geometry pass each",
         .source = "depth peeling, Everitt 2001; the baseline of a-buffer-ssao 2013, V",
         .files = files,
+        .widened = more,
         .numbers = takes,
         .resources = owns,
         .steps = passes,
-        .offers = traits<depth_layers, layers_behind_front>::list,
+        .offers = traits<depth_layers, layers_behind_front, layers_in_strips>::list,
     };
 };
 

@@ -28,16 +28,18 @@ struct stochastic_layers_part {
                                        .writes = filled,
                                        .per_view = true}};
     static constexpr const glsl_file* files[] = {&stochastic_layers_glsl, &packed_layers_glsl};
+    static constexpr files_where more[] = {{&layers_in_strips::value, packed_layers_strips}};
     static constexpr part description{
         .kind = role::depth_source,
         .name = "stochastic_layers",
         .summary = "layers behind the first, kept at random as if all surfaces were transparent",
         .source = "stochastic-depth-ao 2020, ch. 5 and 6, Algorithms 4 to 9",
         .files = files,
+        .widened = more,
         .numbers = takes,
         .resources = packed,
         .steps = passes,
-        .offers = traits<depth_layers, layers_behind_front, layers_of_two_views>::list,
+        .offers = traits<depth_layers, layers_behind_front, layers_of_two_views, layers_in_strips>::list,
         .required_roles = required,
     };
 };
