@@ -21,7 +21,8 @@ struct compute_strips_part {
         {"height", 1, 1024, 8, "of the workgroup, invocations"},
         {"apron", 0, 1024, 24, "texels that are kept at each end of a row or column"},
     };
-    static constexpr const glsl_file* files[] = {&compute_glsl};
+    // Of both mains a filter takes the first, and the main pass that of its own files.
+    static constexpr const glsl_file* files[] = {&compute_glsl, &compute_strips_glsl};
     static constexpr part description{
         .kind = role::stage,
         .name = "compute_strips",
