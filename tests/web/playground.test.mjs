@@ -2,7 +2,7 @@
 // The page in headless Chromium: its pictures against those of the crease command, and what a visitor does.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
-import {mkdtempSync, rmSync, writeFileSync} from 'node:fs';
+import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {after, afterEach, before, beforeEach, test} from 'node:test';
@@ -205,14 +205,41 @@ test('each entry of the menus makes a recipe that is drawn, by the keyboard alon
     }
 });
 
-test('the text is that of the command, in the language that is chosen', async () => {
+test('the text is that of the command, in the dialect that is chosen', async () => {
     await open('recipe=preset:medium');
     await drawn('preset:medium');
     execFileSync(CREASE, ['emit', 'preset:medium', '-o', folder], {stdio: 'ignore'});
-    const {readFileSync} = await import('node:fs');
     assert.equal(await text_of('text'), readFileSync(join(folder, '0_visibility.comp'), 'utf8'));
     await page.locator('#language').selectOption('es');
     await page.waitForFunction(() => document.getElementById('text').textContent.includes('#version 300 es'));
+});
+
+test('other languages are those of the command, and where the page has none it says so and names the command', async () => {
+    await open('recipe=preset:medium');
+    await drawn('preset:medium');
+    const choose = async (language, noted) => {
+        await page.locator('#language').selectOption(language);
+        await page.waitForFunction((sentence) => document.getElementById('command').textContent.includes('--target') &&
+            document.getElementById('text-note').textContent.includes(sentence), noted);
+    };
+    for (const [language, extension] of [['hlsl', 'hlsl'], ['msl', 'metal']]) {
+        await choose(language, '');
+        execFileSync(CREASE, ['emit', 'preset:medium', '--target', language, '-o', folder], {stdio: 'ignore'});
+        const expected = readFileSync(join(folder, `0_visibility.comp.${extension}`), 'utf8');
+        await page.waitForFunction((text) => document.getElementById('text').textContent === text, expected);
+        assert.equal(await text_of('command'), `crease emit preset:medium --target ${language}`);
+    }
+    const word = (await page.evaluate(() => globalThis.playground.crease.compose('preset:medium').recipe)).replace('1x8x2', '2x9x2');
+    await page.locator('#recipe').fill(word);
+    await page.keyboard.press('Enter');
+    await drawn(word);
+    await choose('msl', 'other numbers: this is half_directions:1x8x2/');
+    assert.notEqual(await text_of('text'), '');
+    await page.locator('#recipe').fill('sphere_points/single_layer/ssao/blue_noise');
+    await page.keyboard.press('Enter');
+    await choose('msl', 'and not this one');
+    assert.equal(await text_of('text'), '');
+    assert.equal(await text_of('command'), 'crease emit sphere_points/single_layer/ssao/blue_noise --target msl');
 });
 
 test('the camera turns', async () => {
