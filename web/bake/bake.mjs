@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Makes the playground: bake.mjs --crease COMMAND --mesh PROGRAM --package FOLDER --output FOLDER
-//                                [--rays N] [--views A,B of them] [--families N of them] [--modules FOLDER with naga-wasm]
+//                                [--rays N] [--views A,B of them] [--families N of them] [--texts N of them]
+//                                [--modules FOLDER with naga-wasm]
 import {cpSync, mkdtempSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
@@ -20,6 +21,7 @@ const {values: options} = parseArgs({
         rays: {type: 'string', default: '256'},
         views: {type: 'string', default: ''},
         families: {type: 'string', default: 'Infinity'},
+        texts: {type: 'string', default: 'Infinity'},
         modules: {type: 'string'},
     },
 });
@@ -34,7 +36,7 @@ try {
     const crease = await load();
     bake_views({command, mesh, folder: join(folder, 'views'), scratch, names: options.views.split(',').filter(Boolean), rays});
     bake_gallery({command, crease, folder, scratch, template: beside('gallery.html'), rays, count: Number(options.families)});
-    bake_texts({command, crease, folder, scratch, modules: options.modules});
+    await bake_texts({command, crease, folder, scratch, modules: options.modules, count: Number(options.texts)});
 } finally {
     rmSync(scratch, {recursive: true, force: true});
 }
