@@ -10,7 +10,7 @@ import {after, afterEach, before, beforeEach, test} from 'node:test';
 import {read_pfm} from '../../web/bake/pfm.mjs';
 import {views} from '../../web/bake/scenes.mjs';
 import {serve} from '../../web/serve.mjs';
-import {need_browser} from './packages.mjs';
+import {need_browser, new_page} from './packages.mjs';
 
 const {CREASE, SITE} = process.env;
 const launch = need_browser();
@@ -30,7 +30,7 @@ after(async () => {
 
 beforeEach(async () => {
     messages = [];
-    page = await browser.newPage({viewport: {width: 1280, height: 1400}});
+    page = await new_page(browser, {viewport: {width: 1280, height: 1400}});
     page.on('pageerror', (error) => messages.push(error.message));
     page.on('console', (message) => {
         if (!/GPU stall due to ReadPixels/.test(message.text())) // how a headless browser shows a canvas
