@@ -7,10 +7,9 @@ import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {after, afterEach, before, beforeEach, test} from 'node:test';
 
-import {read_pfm} from '../../web/bake/pfm.mjs';
-import {views} from '../../web/bake/scenes.mjs';
 import {serve} from '../../web/serve.mjs';
 import {need_browser} from './packages.mjs';
+import {apart, rendered} from './pictures.mjs';
 
 const {CREASE, SITE} = process.env;
 const launch = need_browser();
@@ -33,7 +32,8 @@ beforeEach(async () => {
     page = await browser.newPage({viewport: {width: 1280, height: 1400}});
     page.on('pageerror', (error) => messages.push(error.message));
     page.on('console', (message) => {
-        if (!/GPU stall due to ReadPixels/.test(message.text())) // how a headless browser shows a canvas
+        // How a headless browser shows a canvas, and finds no device for WebGPU.
+        if (!/GPU stall due to ReadPixels|No available adapters/.test(message.text()))
             messages.push(message.text());
     });
 });
@@ -60,27 +60,6 @@ async function visibility() {
     return page.evaluate(async () => Array.from(await globalThis.playground.stage.visibility()));
 }
 
-/** What the command renders of the courtyard. */
-function rendered(recipe, ...more) {
-    const {camera} = views[0];
-    const cameras = join(folder, 'cameras.json');
-    writeFileSync(cameras, JSON.stringify([camera]));
-    execFileSync(CREASE, ['render', 'built-in', '--cameras', cameras, '--recipe', `${recipe}/linear_depth`, ...more, '-o', folder],
-                 {stdio: 'ignore'});
-    return read_pfm(join(folder, 'ao.pfm')).texels;
-}
-
-function apart(picture, expected) {
-    assert.equal(picture.length, expected.length);
-    let sum = 0, off = 0;
-    picture.forEach((value, i) => {
-        const difference = Math.abs(value - expected[i]);
-        sum += difference;
-        off += difference > 0.99 / 255 ? 1 : 0;
-    });
-    return {mean: sum / picture.length, share: off / picture.length};
-}
-
 for (const recipe of [
     'directions:4x4/single_layer/hbao/bilateral',
     'directions:4x4/single_layer/hbao/reconstructed_normals/r32f',
@@ -91,14 +70,14 @@ for (const recipe of [
     test(`WebGL 2 gives the picture of the command: ${recipe}`, async () => {
         await open(`recipe=${recipe}`);
         await drawn(recipe);
-        const {mean, share} = apart(await visibility(), rendered(recipe));
+        const {mean, share} = apart(await visibility(), rendered(folder, recipe));
         assert.ok(mean <= 1e-4 && share <= 0.01, `mean ${mean}, share ${share}`);
     });
 
 test('a preset gives the picture of the command but where a sector of its bitmask tips on the last bit', async () => {
     await open('recipe=preset:medium/r32f');
     await drawn('preset:medium/r32f');
-    const {mean, share} = apart(await visibility(), rendered('preset:medium/r32f'));
+    const {mean, share} = apart(await visibility(), rendered(folder, 'preset:medium/r32f'));
     assert.ok(mean <= 3e-4 && share <= 0.01, `mean ${mean}, share ${share}`);
 });
 
@@ -194,7 +173,7 @@ test('the camera turns', async () => {
     await open('recipe=directions:4x4/single_layer/hbao&orbit=0,0,1');
     await drawn('directions:4x4/single_layer/hbao');
     const picture = await visibility();
-    const {mean} = apart(picture, rendered('directions:4x4/single_layer/hbao'));
+    const {mean} = apart(picture, rendered(folder, 'directions:4x4/single_layer/hbao'));
     assert.ok(mean < 0.01, `the scene as the page draws it: mean ${mean}`);
     await page.locator('#picture').focus();
     await page.keyboard.press('ArrowLeft');

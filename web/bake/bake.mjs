@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Makes the playground: bake.mjs --crease COMMAND --mesh PROGRAM --package FOLDER --output FOLDER
 //                                [--rays N] [--views A,B of them] [--families N of them] [--modules FOLDER with naga-wasm]
-import {cpSync, mkdtempSync, rmSync} from 'node:fs';
+import {cpSync, existsSync, mkdtempSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
@@ -30,6 +30,9 @@ const scratch = mkdtempSync(join(tmpdir(), 'crease-bake-'));
 try {
     cpSync(beside('../site'), folder, {recursive: true});
     cpSync(options.package, join(folder, 'package'), {recursive: true});
+    const naga = options.modules && join(options.modules, 'node_modules/naga-wasm/dist');
+    if (naga && existsSync(naga)) // by which the page makes WGSL
+        cpSync(naga, join(folder, 'naga'), {recursive: true});
     const {load} = await import(pathToFileURL(join(folder, 'package/crease.js')));
     const crease = await load();
     bake_views({command, mesh, folder: join(folder, 'views'), scratch, names: options.views.split(',').filter(Boolean), rays});
