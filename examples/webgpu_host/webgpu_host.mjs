@@ -27,10 +27,10 @@ function read_manifest(path) {
     return manifest;
 }
 
-/** Column-major, for WebGPU's clip space. */
+/** Column-major, for WebGPU's clip space; depth is reversed, as `crease render` has it. */
 function projection_of({vfov_deg, near, far}, aspect) {
-    const scale = 1 / Math.tan(vfov_deg * Math.PI / 360), range = far / (near - far);
-    return [scale / aspect, 0, 0, 0, 0, scale, 0, 0, 0, 0, range, -1, 0, 0, near * range, 0];
+    const scale = 1 / Math.tan(vfov_deg * Math.PI / 360), range = near / (far - near);
+    return [scale / aspect, 0, 0, 0, 0, scale, 0, 0, 0, 0, range, -1, 0, 0, far * range, 0];
 }
 
 /** A texture of four floats where a texel has three, as WebGPU has none of these. */

@@ -7,7 +7,7 @@ import {join} from 'node:path';
 import {after, afterEach, before, beforeEach, test} from 'node:test';
 
 import {serve} from '../../web/serve.mjs';
-import {need, need_browser} from './packages.mjs';
+import {need, need_browser, new_page} from './packages.mjs';
 import {apart, rendered} from './pictures.mjs';
 
 const {SITE} = process.env;
@@ -30,8 +30,7 @@ after(async () => {
 
 beforeEach(async () => {
     messages = [];
-    page = await browser.newPage({viewport: {width: 1280, height: 1400}});
-    page.setDefaultTimeout(120000);
+    page = await new_page(browser, {viewport: {width: 1280, height: 1400}});
     page.on('pageerror', (error) => messages.push(error.message));
     page.on('console', (message) => {
         if (!/GPU stall due to ReadPixels/.test(message.text())) // how a headless browser shows a canvas

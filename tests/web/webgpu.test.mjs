@@ -10,7 +10,7 @@ import {fileURLToPath, pathToFileURL} from 'node:url';
 
 import {read_pfm} from '../../web/bake/pfm.mjs';
 import {views} from '../../web/bake/scenes.mjs';
-import {projection_matrix} from '../../web/site/camera.js';
+import {reversed_projection_matrix} from '../../web/site/camera.js';
 import {fill, read, texture_of} from '../../web/site/gpu.js';
 import {need_adapter} from './dawn.mjs';
 import {need, require} from './packages.mjs';
@@ -52,7 +52,7 @@ function uploaded(format, bytes, texels) {
 /** An effect that is ready to run. */
 async function made(manifest) {
     const effect = await webgpu.WebGPUEffect.create(device, manifest, width, height);
-    effect.setView(crease.view(projection_matrix(camera, width / height), width, height, {depthFromMinusOne: true}));
+    effect.setView(crease.view(reversed_projection_matrix(camera, width / height), width, height));
     effect.set('radius', camera.ao_radius);
     for (const {name, lifetime} of manifest.resources)
         if (name in inputs && lifetime === 'input')

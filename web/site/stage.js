@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One view on the device: its G-buffer, baked or drawn, the truth beside it, and the effect that runs on it.
-import {orbited, projection_matrix, view_matrix} from './camera.js';
+import {orbited, projection_matrix, reversed_projection_matrix, view_matrix} from './camera.js';
 import {load_inputs, load_triangles, load_truth} from './views.js';
 
 export class Stage {
@@ -69,11 +69,11 @@ export class Stage {
     /** Runs the effect with a radius and settings. */
     run({radius, settings}) {
         const aspect = this.width / this.height;
-        const projection = projection_matrix(this.view.camera, aspect);
+        const {camera} = this.view;
         const inputs = this.orbit ? this.#scene : this.baked;
         if (this.orbit)
-            this.#scene.draw(view_matrix(orbited(this.view.camera, ...this.orbit)), projection);
-        this.effect.setView(this.crease.view(projection, this.width, this.height, {depthFromMinusOne: true}));
+            this.#scene.draw(view_matrix(orbited(camera, ...this.orbit)), projection_matrix(camera, aspect));
+        this.effect.setView(this.crease.view(reversed_projection_matrix(camera, aspect), this.width, this.height));
         this.effect.set('radius', radius);
         for (const {name, default: fallback} of this.manifest.uniform_block.members)
             if (fallback !== undefined)
