@@ -7,10 +7,9 @@ import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {after, afterEach, before, beforeEach, test} from 'node:test';
 
-import {read_pfm} from '../../web/bake/pfm.mjs';
-import {views} from '../../web/bake/scenes.mjs';
 import {serve} from '../../web/serve.mjs';
 import {need_browser, new_page} from './packages.mjs';
+import {apart, rendered} from './pictures.mjs';
 
 const {CREASE, SITE} = process.env;
 const launch = need_browser();
@@ -33,7 +32,8 @@ beforeEach(async () => {
     page = await new_page(browser, {viewport: {width: 1280, height: 1400}});
     page.on('pageerror', (error) => messages.push(error.message));
     page.on('console', (message) => {
-        if (!/GPU stall due to ReadPixels/.test(message.text())) // how a headless browser shows a canvas
+        // How a headless browser shows a canvas, and finds no device for WebGPU.
+        if (!/GPU stall due to ReadPixels|No available adapters/.test(message.text()))
             messages.push(message.text());
     });
 });
@@ -73,27 +73,6 @@ function visibility() {
     return floats(() => globalThis.playground.stage.visibility());
 }
 
-/** What the command renders of the courtyard. */
-function rendered(recipe, ...more) {
-    const {camera} = views[0];
-    const cameras = join(folder, 'cameras.json');
-    writeFileSync(cameras, JSON.stringify([camera]));
-    execFileSync(CREASE, ['render', 'built-in', '--cameras', cameras, '--recipe', `${recipe}/linear_depth`, ...more, '-o', folder],
-                 {stdio: 'ignore'});
-    return read_pfm(join(folder, 'ao.pfm')).texels;
-}
-
-function apart(picture, expected) {
-    assert.equal(picture.length, expected.length);
-    let sum = 0, off = 0;
-    picture.forEach((value, i) => {
-        const difference = Math.abs(value - expected[i]);
-        sum += difference;
-        off += difference > 0.99 / 255 ? 1 : 0;
-    });
-    return {mean: sum / picture.length, share: off / picture.length};
-}
-
 for (const recipe of [
     'preset:medium/r32f',
     'directions:4x4/single_layer/hbao/bilateral',
@@ -105,7 +84,7 @@ for (const recipe of [
     test(`WebGL 2 gives the picture of the command: ${recipe}`, async () => {
         await open(`recipe=${recipe}`);
         await drawn(recipe);
-        const {mean, share} = apart(await visibility(), rendered(recipe));
+        const {mean, share} = apart(await visibility(), rendered(folder, recipe));
         assert.ok(mean <= 1e-4 && share <= 0.01, `mean ${mean}, share ${share}`);
     });
 
@@ -135,7 +114,7 @@ test('with sines as exact as the command has them nothing else is left', async (
         await page.goto('about:blank');
         await open(`recipe=${recipe}`);
         await drawn(recipe);
-        const {mean, share} = apart(await visibility(), rendered(recipe));
+        const {mean, share} = apart(await visibility(), rendered(folder, recipe));
         assert.ok(mean <= 1e-6 && share <= 1e-3, `${recipe}: mean ${mean}, share ${share}`);
     }
 });
@@ -260,7 +239,7 @@ test('the camera turns', async () => {
     await open('recipe=directions:4x4/single_layer/hbao&orbit=0,0,1');
     await drawn('directions:4x4/single_layer/hbao');
     const picture = await visibility();
-    const {mean} = apart(picture, rendered('directions:4x4/single_layer/hbao'));
+    const {mean} = apart(picture, rendered(folder, 'directions:4x4/single_layer/hbao'));
     assert.ok(mean < 0.01, `the scene as the page draws it: mean ${mean}`);
     await page.locator('#picture').focus();
     await page.keyboard.press('ArrowLeft');
