@@ -9,7 +9,7 @@ import {after, before, test} from 'node:test';
 import {need} from './packages.mjs';
 
 const {MODULES, PACKAGE, SOURCE} = process.env;
-need('typescript', 'three', '@types/three');
+need('typescript', 'three', '@types/three', 'naga-wasm');
 const folder = mkdtempSync(join(MODULES, '..', 'types-')); // whose files find what is in MODULES
 
 before(() => {
@@ -36,6 +36,8 @@ function complaints(...files) {
 const host = `
 declare const gl: WebGL2RenderingContext, depthTexture: WebGLTexture, width: number, height: number, projection: Float32Array;
 declare const renderer: THREE.WebGLRenderer, scene: THREE.Scene, camera: THREE.PerspectiveCamera;
+declare const device: GPUDevice, depth: GPUTexture;
+declare function show(texture: GPUTexture | undefined): void;
 declare function draw(texture: WebGLTexture | undefined): void;
 import * as THREE from 'three';
 import {EffectComposer} from 'three/addons/postprocessing/EffectComposer.js';

@@ -2,7 +2,7 @@
 // Makes the playground, or steps of it: bake.mjs [site] [views] [gallery] [texts]
 //     --crease COMMAND --mesh PROGRAM --package FOLDER --output FOLDER [--rays N] [--views A,B of them]
 //     [--families N of them] [--texts N of them] [--modules FOLDER with naga-wasm]
-import {cpSync, mkdtempSync, rmSync} from 'node:fs';
+import {cpSync, existsSync, mkdtempSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join, resolve} from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
@@ -37,6 +37,9 @@ try {
     if (wanted('site')) {
         cpSync(beside('../site'), folder, {recursive: true});
         cpSync(options.package, join(folder, 'package'), {recursive: true});
+        const naga = options.modules && join(options.modules, 'node_modules/naga-wasm/dist');
+        if (naga && existsSync(naga)) // by which the page makes WGSL
+            cpSync(naga, join(folder, 'naga'), {recursive: true});
     }
     if (wanted('views'))
         bake_views({command, mesh, folder: join(folder, 'views'), scratch, names: options.views.split(',').filter(Boolean), rays});

@@ -4,6 +4,8 @@ import {load, RecipeError} from 'crease';
 import type {Effect, Manifest, View} from 'crease';
 import {CreasePass} from 'crease/three';
 import {size_of, unsupported, WebGL2Effect} from 'crease/webgl2';
+import {unsupported as unsupported_by_webgpu, WebGPUEffect, with_wgsl} from 'crease/webgpu';
+import {translate} from 'naga-wasm';
 import {PerspectiveCamera, WebGLRenderer} from 'three';
 import {EffectComposer} from 'three/addons/postprocessing/EffectComposer.js';
 
@@ -36,6 +38,19 @@ export function run(gl: WebGL2RenderingContext, manifest: Manifest, depth: WebGL
     effect.run();
     return effect.texture('visibility');
 }
+
+export async function run_webgpu(device: GPUDevice, depth: GPUTextureView, encoder: GPUCommandEncoder): Promise<GPUTexture | undefined> {
+    const manifest: Manifest = with_wgsl(crease.compose('preset:low/webgpu'), translate);
+    if (unsupported_by_webgpu(manifest) !== '')
+        return undefined;
+    const effect = await WebGPUEffect.create(device, manifest, 640, 360, {guard: 16});
+    effect.bind('depth', depth);
+    effect.record(encoder, {timestamps: device.createQuerySet({type: 'timestamp', count: 2})});
+    return effect.texture('visibility');
+}
+
+// @ts-expect-error pipelines are made while others wait
+new WebGPUEffect();
 
 export function bytes({resources}: Manifest): number {
     return resources.reduce((sum, {size, levels = 1}) => {
