@@ -7,12 +7,11 @@ float crease_cosine_bitmask_thickness_of_last(crease_march march, float depth_af
 __LINE__, R"glsl("
 #endif
 
-// As without opacity, but that where a receiver is looked at from behind the back of a slab comes first.
+// As without opacity, but that where a receiver is looked at from behind the slab of a layer reaches to the eye.
 uint crease_cosine_bitmask_sectors_of(crease_march march, crease_cosine_bitmask_slab slab, float thickness,
                                       out float nearest) {
-    uvec2 bit = crease_cosine_bitmask_ends_of(march, slab, thickness, nearest);
     bool from_behind = slab.ray_height * march.towards.x > slab.ray_along * march.towards.y; // the way on leads to the eye
-    bit = from_behind ? bit.yx : bit;
+    uvec2 bit = crease_cosine_bitmask_ends_of(march, slab, from_behind ? -thickness : thickness, nearest);
     uint hidden = bit.x - min(bit.x, bit.y);
     return nearest > march.reach ? hidden : 0u;
 }
