@@ -7,7 +7,7 @@ namespace crease {
 
 /// Taps on the screen, each at the centre of a texel.
 CREASE_TRAIT(screen_taps, sampler,
-             "the estimator needs taps on the screen, which the sampler does not propose");
+             "taps on the screen are needed, which the sampler does not propose");
 
 /// Screen taps in order of distance along directions.
 CREASE_TRAIT(ordered_taps, sampler,
