@@ -2,6 +2,7 @@
 // The emitted text, in the language that is chosen: GLSL is composed here, the others were translated when the page was made.
 import {by_id, element} from './dom.js';
 import {name_of} from './recipe.js';
+import {text_key} from './text_key.js';
 
 const composed = {
     vulkan: {title: 'GLSL for Vulkan', words: []},
@@ -10,8 +11,15 @@ const composed = {
 };
 const translated = {hlsl: 'HLSL', msl: 'Metal', wgsl: 'WGSL'};
 
+/** The shaders of a recipe in each language, or a sentence in their place. */
+async function load_translation({file}) {
+    const {body} = await fetch(new URL(`texts/${file}`, import.meta.url));
+    return new Response(body.pipeThrough(new DecompressionStream('gzip'))).json();
+}
+
 export class Texts {
-    #presets = null;
+    #list = null; // of translations: by text_key the recipe and its file
+    #updates = 0;
 
     constructor(crease) {
         this.crease = crease;
@@ -21,7 +29,8 @@ export class Texts {
             ...Object.entries(translated).map(([value, title]) => element('option', {value}, title)));
         this.language.addEventListener('change', () => this.#update());
         by_id('pass').addEventListener('change', () => this.#print());
-        by_id('copy').addEventListener('click', () => this.#copy());
+        by_id('copy').addEventListener('click', () => this.#copy('text'));
+        by_id('copy-command').addEventListener('click', () => this.#copy('command'));
     }
 
     show(recipe) {
@@ -30,8 +39,11 @@ export class Texts {
     }
 
     async #update() {
-        const language = this.language.value;
-        this.shaders = language in composed ? this.#compose(language) : await this.#translation(language);
+        const language = this.language.value, update = ++this.#updates;
+        const shown = language in composed ? this.#compose(language) : await this.#translation(language);
+        if (update !== this.#updates)
+            return;
+        Object.assign(this, shown);
         const pass = by_id('pass'), before = pass.value;
         pass.replaceChildren(...this.shaders.map(({name}) => element('option', {value: name, selected: name === before}, name)));
         this.#print();
@@ -42,32 +54,33 @@ export class Texts {
         const roles = new Map(this.crease.parts.map(({name, role}) => [name, role]));
         const words = this.recipe.split('/').filter((word) => !decided.has(roles.get(name_of(word))));
         const recipe = [...words, ...composed[language].words].join('/');
-        const reason = this.crease.check(recipe);
-        this.note = reason || `crease emit ${recipe}`;
-        if (reason)
-            return [];
-        return this.crease.compose(recipe).passes.map(({name, shaders}, i) => ({name: `${i} ${name}`, text: shaders[0].text}));
+        const note = this.crease.check(recipe);
+        const passes = note ? [] : this.crease.compose(recipe).passes;
+        return {note, command: `crease emit ${recipe}`, shaders: passes.map(({name, shaders}, i) => ({name: `${i} ${name}`, text: shaders[0].text}))};
     }
 
     async #translation(language) {
-        this.#presets ??= await (await fetch(new URL('texts.json', import.meta.url))).json();
-        const shaders = this.#presets[this.recipe]?.[language] ?? [];
-        const command = `crease emit ${this.recipe} --target ${language}`;
-        this.note = shaders.length > 0 ? command
-            : `${translated[language]} is translated by the command, and stands here for presets alone: ${command}`;
-        return shaders;
+        this.#list ??= await (await fetch(new URL('texts.json', import.meta.url))).json();
+        const effect = this.crease.compose(this.recipe);
+        const held = this.#list[text_key(effect.parts)];
+        const made = held ? (await load_translation(held))[language] : [];
+        const note = !held ? `${translated[language]} is translated outside of browsers. The page holds ${Object.keys(this.#list).length} recipes in it, and not this one.`
+            : typeof made === 'string' ? made
+            : held.recipe !== effect.recipe ? `The page holds these parts with other numbers: this is ${held.recipe}.` : '';
+        return {note, command: `crease emit ${this.recipe} --target ${language}`, shaders: typeof made === 'string' ? [] : made};
     }
 
     #print() {
         const shown = this.shaders.find(({name}) => name === by_id('pass').value) ?? this.shaders[0];
         by_id('text').textContent = shown?.text ?? '';
         by_id('text-note').textContent = this.note;
+        by_id('command').textContent = this.command;
         by_id('copy').disabled = !shown;
     }
 
-    async #copy() {
+    async #copy(id) {
         try {
-            await navigator.clipboard.writeText(by_id('text').textContent);
+            await navigator.clipboard.writeText(by_id(id).textContent);
             by_id('copied').textContent = 'Copied';
         } catch {
             by_id('copied').textContent = 'The browser does not let this page copy: select the text';

@@ -5,6 +5,7 @@ void crease_texel_ray(crease_receiver receiver, vec2 texel, out vec3 start, out 
 float crease_share_inside(vec2 from, vec2 way);
 int crease_step_count();
 vec3 crease_line_chord(vec2 chord, vec2 over); // which part of a chord counts, and what of that is not over the plane
+mat2 crease_disk_of(crease_receiver receiver);
 #else
 __LINE__, R"glsl("
 #endif
@@ -31,7 +32,7 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     pattern.direction = vec2(golden_angle.x * pattern.direction.x - golden_angle.y * pattern.direction.y,
                              golden_angle.y * pattern.direction.x + golden_angle.x * pattern.direction.y);
     float distance = sqrt((float(step) + pattern.offset) / float(crease_step_count()));
-    vec2 radius = receiver.disk * pattern.direction;
+    vec2 radius = crease_disk_of(receiver) * pattern.direction;
     float share = crease_share_inside(receiver.texel + 0.5, radius);
     vec2 texel = floor(receiver.texel + 0.5 + radius * (share * distance));
     vec3 start, ray;

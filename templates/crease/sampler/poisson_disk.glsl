@@ -2,6 +2,7 @@
 #ifndef __cplusplus
 vec3 crease_noise(ivec2 pixel);
 float crease_share_inside(vec2 from, vec2 way);
+mat2 crease_disk_of(crease_receiver receiver);
 #else
 __LINE__, R"glsl("
 #endif
@@ -30,7 +31,7 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     pattern.direction = vec2(golden_angle.x * pattern.direction.x - golden_angle.y * pattern.direction.y,
                              golden_angle.y * pattern.direction.x + golden_angle.x * pattern.direction.y);
     float distance = sqrt((float(step) + pattern.offset) / float(crease_poisson_disk_count));
-    vec2 radius = receiver.disk * pattern.direction;
+    vec2 radius = crease_disk_of(receiver) * pattern.direction;
     float share = crease_share_inside(receiver.texel + 0.5, radius);
     vec2 texel = floor(receiver.texel + 0.5 + radius * (share * distance));
     return crease_tap(texel, texel != receiver.texel && crease_inside(texel), share * share);

@@ -75,7 +75,7 @@ struct crease_receiver {
     vec3 normal;             // view space, unit
     vec3 to_eye;             // view space, unit
     vec3 tangent, bitangent; // view space, unit: the axes of the disk that faces the eye
-    mat2 disk;               // from offsets on that disk, in AO radii, to texels
+    vec2 disk_x, disk_y;     // texels that an AO radius along these axes takes
 };
 
 // Taps projected onto the normal: stochastic-depth-ao, Algorithm 3.
@@ -177,6 +177,9 @@ struct crease_fetched {
     crease_layers layers;
 };
 
+// From offsets on the disk that faces the eye, in AO radii, to texels; naga reads no struct that holds a matrix.
+mat2 crease_disk_of(crease_receiver receiver) { return mat2(receiver.disk_x, receiver.disk_y); }
+
 // Size of the depth image in texels, guard band included.
 vec2 crease_depth_size() { return crease_view.resolution + 2.0 * crease_view.guard; }
 
@@ -199,7 +202,7 @@ crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver rece
     pattern.direction = vec2(golden_angle.x * pattern.direction.x - golden_angle.y * pattern.direction.y,
                              golden_angle.y * pattern.direction.x + golden_angle.x * pattern.direction.y);
     float distance = sqrt((float(step) + pattern.offset) / float(crease_poisson_disk_count));
-    vec2 radius = receiver.disk * pattern.direction;
+    vec2 radius = crease_disk_of(receiver) * pattern.direction;
     float share = crease_share_inside(receiver.texel + 0.5, radius);
     vec2 texel = floor(receiver.texel + 0.5 + radius * (share * distance));
     return crease_tap(texel, texel != receiver.texel && crease_inside(texel), share * share);
@@ -332,8 +335,8 @@ mat2 crease_disk(vec3 position, vec3 tangent, vec3 bitangent) {
 crease_receiver crease_make_receiver(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
     vec3 to_eye = crease_to_eye(position), tangent, bitangent;
     crease_axes(to_eye, tangent, bitangent);
-    return crease_receiver(pixel, texel, position, normal, to_eye, tangent, bitangent,
-                           crease_disk(position, tangent, bitangent));
+    mat2 disk = crease_disk(position, tangent, bitangent);
+    return crease_receiver(pixel, texel, position, normal, to_eye, tangent, bitangent, disk[0], disk[1]);
 }
 
 // A normal of any length as one of unit length; what has no direction counts as facing the eye.

@@ -83,7 +83,7 @@ struct crease_receiver {
     vec3 normal;             // view space, unit
     vec3 to_eye;             // view space, unit
     vec3 tangent, bitangent; // view space, unit: the axes of the disk that faces the eye
-    mat2 disk;               // from offsets on that disk, in AO radii, to texels
+    vec2 disk_x, disk_y;     // texels that an AO radius along these axes takes
 };
 
 // Range-checked points: stochastic-depth-ao, Algorithm 1. Geometry further than the radius is ignored, as 4.1 says; the
@@ -134,13 +134,16 @@ vec3 crease_noise(ivec2 pixel) {
     return vec3(crease_hashed_noise_mix(uvec3(uvec2(pixel), crease_frame)) >> 8u) * (1.0 / 16777216.0);
 }
 
+// From offsets on the disk that faces the eye, in AO radii, to texels; naga reads no struct that holds a matrix.
+mat2 crease_disk_of(crease_receiver receiver) { return mat2(receiver.disk_x, receiver.disk_y); }
+
 // Size of the depth image in texels, guard band included.
 vec2 crease_depth_size() { return crease_view.resolution + 2.0 * crease_view.guard; }
 
 // The radius in which a sampler looks for points: no larger than half the picture's diagonal at the receiver's depth,
 // so that a radius that is larger than the picture still finds what is there.
 float crease_radius_inside(crease_receiver receiver) {
-    float texels = sqrt(abs(determinant(receiver.disk))); // of the radius
+    float texels = sqrt(abs(determinant(crease_disk_of(receiver)))); // of the radius
     return crease_radius * min(1.0, 0.5 * length(crease_depth_size()) / texels);
 }
 
@@ -397,8 +400,8 @@ mat2 crease_disk(vec3 position, vec3 tangent, vec3 bitangent) {
 crease_receiver crease_make_receiver(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
     vec3 to_eye = crease_to_eye(position), tangent, bitangent;
     crease_axes(to_eye, tangent, bitangent);
-    return crease_receiver(pixel, texel, position, normal, to_eye, tangent, bitangent,
-                           crease_disk(position, tangent, bitangent));
+    mat2 disk = crease_disk(position, tangent, bitangent);
+    return crease_receiver(pixel, texel, position, normal, to_eye, tangent, bitangent, disk[0], disk[1]);
 }
 
 // The normal of the plane through the receiver and two neighbours: of left and right, and of up and down, the one that

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/parts/depth/fragments.hpp>
+#include <crease/parts/depth/fragment_surfaces.hpp>
 #include <crease/parts/storage/captures.hpp>
 
 namespace crease {
@@ -19,19 +19,20 @@ inline constexpr glsl_file layer_array_draw_glsl{
 struct layer_array_part {
     static constexpr number takes[] = {fragment_layers_number, capture_places[0], capture_places[1],
                                        capture_places[2]};
-    static constexpr resource owns[] = {fragment_layers, fragments_beyond_layers, packed_layers};
-    static constexpr const glsl_file* drawing[] = {&layer_array_draw_glsl, &fragment_key_glsl,
-                                                   &fragments_glsl};
-    static constexpr const glsl_file* packing[] = {&pack_fragments_glsl, &sorted_fragments_glsl,
-                                                   &fragments_glsl};
+    static constexpr resource owns[] = {fragment_layers,   fragments_beyond_layers, fragment_surfaces,
+                                        packed_layers,     packed_opacities,        layer_surfaces,
+                                        compressed_layers, compressed_normals};
+    static constexpr const glsl_file* drawing[] = {&capture_fragment_glsl, &layer_array_draw_glsl,
+                                                   &fragment_key_glsl, &fragments_glsl};
     static constexpr std::string_view drawn[] = {"fragment_layers", "fragments_beyond_layers"};
-    static constexpr step passes[] = {
-        {.name = "capture_layers",
-         .files = drawing,
-         .kind = step_kind::geometry,
-         .writes = drawn,
-         .how = access::modify},
-        {.name = "pack_layers", .files = packing, .kind = step_kind::texels, .writes = fills_packed_layers}};
+    static constexpr step passes[] = {{.name = "capture_layers",
+                                       .files = drawing,
+                                       .widened = {&layers_with_opacity::value, captures_visible_fragments},
+                                       .kind = step_kind::geometry,
+                                       .writes = drawn,
+                                       .how = access::modify},
+                                      capture_surfaces,
+                                      pack_sorted_fragments};
     static constexpr const glsl_file* files[] = {&layer_array_glsl, &sided_layers_glsl, &packed_layers_glsl};
     static constexpr part description{
         .kind = role::depth_source,
@@ -39,10 +40,11 @@ struct layer_array_part {
         .summary = "the nearest layers of each texel, exactly, in an array image",
         .source = "a-buffer-ssao 2013, IV.C, with layers that stay sorted",
         .files = files,
+        .widened = {&layers_with_opacity::value, surface_files},
         .numbers = takes,
         .resources = owns,
         .steps = passes,
-        .offers = traits<depth_layers, layers_behind_front>::list,
+        .offers = traits<depth_layers, layers_behind_front, layers_with_opacity>::list,
     };
 };
 
