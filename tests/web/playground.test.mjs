@@ -233,6 +233,8 @@ test('other languages are those of the command, and where the page has none it s
     await choose('msl', 'and not this one');
     assert.equal(await text_of('text'), '');
     assert.equal(await text_of('command'), 'crease emit sphere_points/single_layer/ssao/blue_noise --target msl');
+    await choose('wgsl', 'By naga of GLSL');
+    assert.match(await text_of('text'), /^\/\/ sphere_points.*SPDX-License-Identifier: MIT-0\n.*@compute @workgroup_size\(/s);
 });
 
 test('the camera turns', async () => {

@@ -24,7 +24,7 @@ after(() => rmSync(folder, {recursive: true, force: true}));
 /** What tsc says of files; "" where it is content. */
 function complaints(...files) {
     const options = ['--noEmit', '--strict', '--exactOptionalPropertyTypes', '--target', 'es2022',
-                     '--module', 'nodenext', '--lib', 'es2022,dom,dom.iterable'];
+                     '--module', 'nodenext', '--lib', 'es2022,esnext.disposable,dom,dom.iterable'];
     const {stdout, error} = spawnSync(process.execPath, [join(MODULES, 'typescript/lib/tsc.js'), ...options, ...files],
                                       {cwd: folder, encoding: 'utf8'});
     if (error)
