@@ -3,14 +3,15 @@ include_guard()
 
 # crease_add_shader(<target> [RECIPE] <recipe> [STAGE compute|fragment] [DIALECT vulkan|opengl|glsl_es:300|glsl_es:310|webgpu]
 #                   [SHAPE program|functions] [FORMAT header|spirv|spirv-asm|glsl] [NAME <name>]
-#                   [TARGET hlsl|msl|glsl-es|glsl|spirv] [TARGET_VERSION <version>]
+#                   [TARGET hlsl|msl|glsl-es|glsl|wgsl|spirv] [TARGET_VERSION <version>]
 #                   [OPTIMISE speed|size] [STRIP] [TARGET_ENV vulkan1.0|vulkan1.1|vulkan1.2|vulkan1.3])
 #
 # Makes the shaders of a recipe while <target> is built, each call by a build step of its own. With FORMAT header, the
 # default, <target> can `#include <NAME.hpp>`, which includes headers of crease; with the others, and with TARGET, another
 # language, the files lie in NAME/ below the same include directory. NAME, by default `shader`, is an identifier that names the header, its namespace
 # and the manifest NAME.json, which docs/manifest.md describes. What is not said is as the recipe says. The options of
-# SPIR-V are those of crease_emit.
+# SPIR-V are those of crease_emit. WGSL needs node, and npm's naga-wasm in a node_modules of the current binary directory or
+# of a folder above it.
 #
 # Where crease is part of the build, crease_emit is built for the first call; else it comes with the installed package.
 function(crease_add_shader target)
@@ -64,6 +65,9 @@ function(crease_add_shader target)
     if(DEFINED arg_TARGET_VERSION)
         list(APPEND options --target-version ${arg_TARGET_VERSION})
     endif()
+    if(DEFINED arg_TARGET AND arg_TARGET STREQUAL wgsl)
+        crease_expect_naga()
+    endif()
     if(arg_STRIP)
         list(APPEND options --strip)
     endif()
@@ -85,6 +89,7 @@ function(crease_add_shader target)
         OUTPUT ${output}
         COMMAND crease::emit ${arg_RECIPE} ${options} --name ${arg_NAME} -o ${destination}
         DEPENDS crease::emit
+        WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} # from where node looks for naga-wasm
         COMMENT "crease: ${arg_NAME} from ${arg_RECIPE}"
         VERBATIM)
     target_sources(${target} PRIVATE ${output})
@@ -106,6 +111,21 @@ function(crease_check_name target name)
         message(FATAL_ERROR "crease_add_shader: ${target} has shaders of the NAME '${name}' already")
     endif()
     set_property(TARGET ${target} APPEND PROPERTY crease_shader_names ${name})
+endfunction()
+
+# What crease_emit makes WGSL by; it must be there before anything is built.
+function(crease_expect_naga)
+    find_program(CREASE_NODE node)
+    mark_as_advanced(CREASE_NODE)
+    set(result node)
+    if(CREASE_NODE)
+        execute_process(COMMAND ${CREASE_NODE} -e "require('node:module').createRequire(process.cwd() + '/').resolve('naga-wasm')"
+                        WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)
+    endif()
+    if(NOT result EQUAL 0)
+        message(FATAL_ERROR "crease_add_shader: TARGET wgsl needs node, and naga-wasm where node looks for packages from "
+                            "${CMAKE_CURRENT_BINARY_DIR}: run `npm install naga-wasm@30.1.0` in it or in a folder above it")
+    endif()
 endfunction()
 
 function(crease_bring_emit)

@@ -47,7 +47,7 @@ typedef enum crease_dialect {
     CREASE_DIALECT_VULKAN,  ///< GLSL 450 for Vulkan 1.1 and up
     CREASE_DIALECT_OPENGL,  ///< GLSL 430 for OpenGL 4.3 and up
     CREASE_DIALECT_GLSL_ES, ///< GLSL ES 3.00 for WebGL 2 and OpenGL ES 3.0, or 3.10 for OpenGL ES 3.1 and up
-    CREASE_DIALECT_WEBGPU   ///< GLSL 450 of whose SPIR-V naga makes WGSL
+    CREASE_DIALECT_WEBGPU   ///< GLSL 450 of which naga makes WGSL
 } crease_dialect;
 
 /// How a compute pass covers its output.

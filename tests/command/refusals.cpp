@@ -47,6 +47,8 @@ TEST_CASE("refuses: recipes") {
                    "render built-in --recipe nothing/single_layer/hbao");
     expect_refusal(usage, "a recipe that is run is of programs in the vulkan dialect",
                    "render built-in --recipe directions/single_layer/hbao/opengl");
+    expect_refusal(usage, "no scene says what is dynamic",
+                   "render built-in --recipe directions/static_and_dynamic_layers/hbao");
     expect_refusal(usage, "no part of the name 'nothing'", "bench --recipes nothing/single_layer/hbao",
                    false);
 }

@@ -1,4 +1,4 @@
-// crease::effect: the estimator needs taps on the screen, which the sampler does not propose
+// crease::effect: taps on the screen are needed, which the sampler does not propose
 // (hbao_plus, hemisphere_points)
 // hemisphere_points/single_layer/hbao_plus
 // SPDX-License-Identifier: MIT

@@ -144,6 +144,18 @@ triangles turned(const triangles& scene) {
     return other;
 }
 
+std::vector<named_triangles> fragment_scenes() {
+    triangles coplanar = soup(5, 7);
+    const triangles same = coplanar, other = turned(coplanar);
+    coplanar.insert(coplanar.end(), same.begin(), same.end());
+    coplanar.insert(coplanar.end(), other.begin(), other.end());
+    return {{"nothing but a far corner", {{9, 9, -10}, {9.1f, 9, -10}, {9, 9.1f, -10}}},
+            {"few", soup(6, 1)},
+            {"coplanar", coplanar},
+            {"one through another", soup(60, 2)},
+            {"up to 64 and more", soup(400, 3)}};
+}
+
 fragment_capture::fragment_capture(const std::string& recipe, unsigned width, unsigned height, lens seen_by,
                                    std::string_view last, std::optional<unsigned> free_nodes,
                                    std::optional<std::uint32_t> rubbish, std::string_view normals)
@@ -362,6 +374,25 @@ std::vector<std::vector<fragment>> fragment_capture::listed() const {
                 lists[at].push_back({std::bit_cast<float>(key >> 1), (key & 1) != 0});
     }
     return lists;
+}
+
+std::vector<float> visibility_of(const std::string& recipe, const triangles& first, const triangles& others,
+                                 std::optional<float> thickness) {
+    constexpr unsigned width = 40, height = 24;
+    triangles all = first;
+    all.insert(all.end(), others.begin(), others.end());
+    fragment_capture front("directions:1x1/layer_array:1/hbao", width, height);
+    front.draw(all);
+    std::vector<float> depth;
+    for (const std::vector<fragment>& list : front.packed(1))
+        depth.push_back(list.empty() ? 0 : static_cast<float>(list[0].depth));
+    fragment_capture whole(recipe + "/r32f", width, height, lens::standard, "visibility");
+    whole.runner().upload("depth", depth);
+    whole.set("radius", 3);
+    if (thickness)
+        whole.set("thickness", *thickness);
+    whole.draw(first, others);
+    return whole.runner().download("visibility");
 }
 
 }

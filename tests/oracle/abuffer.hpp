@@ -49,6 +49,15 @@ triangles soup(unsigned count, std::uint32_t seed);
 /// The triangles once more, with their corners in the other order.
 triangles turned(const triangles& scene);
 
+/// Triangles with a name that a failing test can give.
+struct named_triangles {
+    std::string name;
+    triangles drawn;
+};
+
+/// Triangles with 0 to 64 fragments and more at a texel, coplanar ones and such as cut each other.
+std::vector<named_triangles> fragment_scenes();
+
 /// An effect whose depth source captures all fragments of triangles.
 class fragment_capture {
 public:
@@ -105,5 +114,11 @@ private:
     crease::parameters how_;
     crease::vulkan::geometry_shaders host_;
 };
+
+/// The visibility that a recipe gives of triangles, whose nearest fragments are the receivers.
+/// @param first   what is drawn in the first geometry pass
+/// @param others  what is drawn in those after it
+std::vector<float> visibility_of(const std::string& recipe, const triangles& first, const triangles& others,
+                                 std::optional<float> thickness = {});
 
 }

@@ -12,6 +12,7 @@ namespace {
 
 using oracle::fragment;
 using oracle::lens;
+using scene = oracle::named_triangles;
 using lists = std::vector<std::vector<fragment>>;
 
 constexpr unsigned width = 40, height = 24;
@@ -71,38 +72,9 @@ std::string packing(const std::string& source) {
     return "directions:1x1/" + source + "/hbao";
 }
 
-struct scene {
-    std::string name;
-    oracle::triangles drawn;
-};
-
-std::vector<scene> scenes() {
-    oracle::triangles coplanar = oracle::soup(5, 7);
-    const oracle::triangles same = coplanar, other = oracle::turned(coplanar);
-    coplanar.insert(coplanar.end(), same.begin(), same.end());
-    coplanar.insert(coplanar.end(), other.begin(), other.end());
-    return {{"nothing but a far corner", {{9, 9, -10}, {9.1f, 9, -10}, {9, 9.1f, -10}}},
-            {"few", oracle::soup(6, 1)},
-            {"coplanar", coplanar},
-            {"one through another", oracle::soup(60, 2)},
-            {"up to 64 and more", oracle::soup(400, 3)}};
-}
-
-/// The visibility that a recipe gives of triangles, whose nearest fragments are the receivers.
 std::vector<float> visibility(const std::string& recipe, const oracle::triangles& drawn,
                               std::optional<float> thickness = {}) {
-    oracle::fragment_capture front(packing("layer_array:1"), width, height);
-    front.draw(drawn);
-    std::vector<float> depth;
-    for (const std::vector<fragment>& list : front.packed(1))
-        depth.push_back(list.empty() ? 0 : static_cast<float>(list[0].depth));
-    oracle::fragment_capture whole(recipe + "/r32f", width, height, lens::standard, "visibility");
-    whole.runner().upload("depth", depth);
-    whole.set("radius", 3);
-    if (thickness)
-        whole.set("thickness", *thickness);
-    whole.draw(drawn);
-    return whole.runner().download("visibility");
+    return oracle::visibility_of(recipe, drawn, drawn, thickness);
 }
 
 double mean_difference(const std::vector<float>& a, const std::vector<float>& b) {
@@ -117,10 +89,10 @@ double mean_difference(const std::vector<float>& a, const std::vector<float>& b)
 
 TEST_CASE("the A-buffer oracle has texels of 0 to 64 fragments and more, and few that are doubtful") {
     const oracle::fragment_lists all =
-        oracle::rasterise(scenes().back().drawn, lens::standard, width, height);
+        oracle::rasterise(oracle::fragment_scenes().back().drawn, lens::standard, width, height);
     const auto longest = std::ranges::max_element(all.of, {}, &std::vector<fragment>::size);
     CHECK(longest->size() > 64);
-    CHECK(oracle::rasterise(scenes()[0].drawn, lens::standard, width, height).of ==
+    CHECK(oracle::rasterise(oracle::fragment_scenes()[0].drawn, lens::standard, width, height).of ==
           std::vector<std::vector<fragment>>(std::size_t{width} * height));
     CHECK(std::ranges::count(all.doubtful, true) < width * height / 4);
 }
@@ -128,7 +100,7 @@ TEST_CASE("the A-buffer oracle has texels of 0 to 64 fragments and more, and few
 /// Checks the lists of a source against all fragments, and what is packed of them.
 void check_lists(const std::string& source) {
     for (lens kind : {lens::standard, lens::orthographic})
-        for (const scene& each : scenes()) {
+        for (const scene& each : oracle::fragment_scenes()) {
             CAPTURE(each.name);
             CAPTURE(static_cast<int>(kind));
             const oracle::fragment_lists all = oracle::rasterise(each.drawn, kind, width, height);
@@ -169,7 +141,7 @@ TEST_CASE("linear lists stand one behind another, whichever part of the role sca
 
 TEST_CASE("a layer array holds the nearest fragments in order, with their sides, and counts the others") {
     for (lens kind : {lens::standard, lens::orthographic})
-        for (const scene& each : scenes()) {
+        for (const scene& each : oracle::fragment_scenes()) {
             CAPTURE(each.name);
             CAPTURE(static_cast<int>(kind));
             const oracle::fragment_lists all = oracle::rasterise(each.drawn, kind, width, height);
@@ -187,7 +159,7 @@ TEST_CASE("a layer array holds the nearest fragments in order, with their sides,
 }
 
 TEST_CASE("peeling and lists agree exactly, but that peeling keeps one of equal fragments") {
-    for (const scene& each : scenes()) {
+    for (const scene& each : oracle::fragment_scenes()) {
         CAPTURE(each.name);
         for (std::size_t layers : {1u, 3u, 8u}) {
             CAPTURE(layers);
@@ -289,8 +261,8 @@ TEST_CASE("what memory held before a frame does not matter, rubbish or another f
     };
     // Numbers that are wrong as counts, indices, keys and depths; 0x7fc00000 is not a number.
     constexpr std::uint32_t all_rubbish[] = {0u, 1u, 0x3f8ccccdu, 0x7fc00000u, 0xdeadbeefu, ~0u};
-    for (const std::string source :
-         {"layer_array:8", "peeled_layers:8", "linked_lists:8x64", "linear_lists:8x64"}) {
+    for (const std::string source : {"layer_array:8", "peeled_layers:8", "dual_peeled_layers:8",
+                                     "separated_layers:8", "linked_lists:8x64", "linear_lists:8x64"}) {
         CAPTURE(source);
         const auto clean = capture(source, {}, {});
         clean->draw(drawn);

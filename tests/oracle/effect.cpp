@@ -47,9 +47,9 @@ glm::dvec2 texel_offset(const picture& p, const receiver& r, glm::dvec3 offset) 
 }
 
 void axes(const picture& p, const receiver& r, glm::dvec3& across, glm::dvec3& up) {
-    across =
-        p.is_perspective() ? glm::normalize(glm::cross(glm::dvec3(0, 1, 0), r.to_eye)) : glm::dvec3(1, 0, 0);
-    up = glm::cross(r.to_eye, across);
+    const glm::dvec3 eye = p.to_eye(r.position);
+    across = p.is_perspective() ? glm::normalize(glm::cross(glm::dvec3(0, 1, 0), eye)) : glm::dvec3(1, 0, 0);
+    up = glm::cross(eye, across);
 }
 
 glm::dvec3 reconstruct_normal(const picture& p, int x, int y) {

@@ -5,6 +5,7 @@
 #include "picture.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,15 @@ struct settings {
 
 /// Three numbers in [0, 1) of a pixel and a frame.
 glm::dvec3 noise(int x, int y, const settings& s);
+
+/// A layer of a texel.
+struct seen_layer {
+    glm::dvec3 position;
+    double opacity = 1;
+};
+
+/// The layers of a texel, nearest first.
+using layers_at = std::function<std::vector<seen_layer>(int x, int y)>;
 
 /// A texel that a sampler proposes; for point samplers also the point, on the ray of the texel.
 struct tap {
@@ -37,7 +47,8 @@ struct deferral {
     bool skip = false;  ///< not behind a front surface that settles its tap
 };
 
-/// The receiver of a pixel.
+/// The receiver of a pixel. One that is looked at from behind has its normal and its way to the eye turned
+/// round.
 struct receiver {
     int x, y;             ///< of the picture
     int pixel_x, pixel_y; ///< of the output, which may be smaller

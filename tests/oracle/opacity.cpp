@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Occlusion by opacity, of every layer: a-buffer-ssao 2013, III, equations (1) to (4).
 #include "abuffer.hpp"
-#include "effect.hpp"
+#include "slices.hpp"
+#include "volume.hpp"
 
 #include <doctest/doctest.h>
 #include <glm/gtc/constants.hpp>
@@ -12,14 +13,15 @@
 
 namespace {
 
+using oracle::layers_at;
 using oracle::lens;
 using oracle::picture;
 using oracle::receiver;
+using oracle::seen_layer;
 using oracle::settings;
 using oracle::surface_fragment;
 using oracle::tap;
 using surfaces = std::vector<std::vector<surface_fragment>>;
-using all_taps = std::vector<std::vector<tap>>;
 
 constexpr int width = 40, height = 24;
 constexpr double radius = 2;
@@ -43,20 +45,19 @@ glm::dvec3 position_of(const picture& p, int x, int y, const surface_fragment& s
 }
 
 /// The occlusion of a receiver by the layers at its taps, each by its opacity.
-using occlusion_of = std::function<double(const picture& p, const receiver& r, const settings& s,
-                                          const all_taps& taps, const surfaces& layers)>;
+using occlusion_of =
+    std::function<double(const picture& p, const receiver& r, const settings& s, const layers_at& layers)>;
 
-double hbao_plus(const picture& p, const receiver& r, const settings& s, const all_taps& taps,
-                 const surfaces& layers) {
+double hbao_plus(const picture& p, const receiver& r, const settings& s, const layers_at& layers) {
     double occlusion = 0, weights = 0;
-    for (const std::vector<tap>& direction : taps)
+    for (const std::vector<tap>& direction : oracle::directions(p, r, s, 5, 4))
         for (const tap& t : direction) {
             double most = 0;
-            for (const surface_fragment& layer : layers[p.index(t.x, t.y)]) {
-                const glm::dvec3 v = position_of(p, t.x, t.y, layer) - r.position;
+            for (const seen_layer& layer : layers(t.x, t.y)) {
+                const glm::dvec3 v = layer.position - r.position;
                 const double length = glm::length(v);
                 if (length < s.radius)
-                    most = std::max(most, opacity_of(layer) * (1 - length * length / (s.radius * s.radius)) *
+                    most = std::max(most, layer.opacity * (1 - length * length / (s.radius * s.radius)) *
                                               std::max(glm::dot(v, r.normal) / length - s.bias, 0.0));
             }
             occlusion += t.weight * most;
@@ -66,9 +67,9 @@ double hbao_plus(const picture& p, const receiver& r, const settings& s, const a
 }
 
 /// A layer reaches that share of its height over the beginning of the horizon.
-double hbao(const picture& p, const receiver& r, const settings& s, const all_taps& taps,
-            const surfaces& layers) {
+double hbao(const picture& p, const receiver& r, const settings& s, const layers_at& layers) {
     double occlusion = 0;
+    const std::vector<std::vector<tap>> taps = oracle::directions(p, r, s, 5, 4);
     for (const std::vector<tap>& direction : taps) {
         if (direction.empty())
             continue;
@@ -77,10 +78,10 @@ double hbao(const picture& p, const receiver& r, const settings& s, const all_ta
         double highest = start;
         for (const tap& t : direction) {
             double most = 0, horizon = highest;
-            for (const surface_fragment& layer : layers[p.index(t.x, t.y)]) {
-                const glm::dvec3 v = position_of(p, t.x, t.y, layer) - r.position;
+            for (const seen_layer& layer : layers(t.x, t.y)) {
+                const glm::dvec3 v = layer.position - r.position;
                 const double length = glm::length(v), above = oracle::rise_over_tangent(r, v);
-                const double reached = start + opacity_of(layer) * (above - start);
+                const double reached = start + layer.opacity * (above - start);
                 const double occludes = (1 - length * length / (s.radius * s.radius)) * (reached - highest);
                 if (above > highest && length < s.radius && glm::dot(v, r.normal) / length > s.threshold &&
                     occludes > most) {
@@ -95,6 +96,92 @@ double hbao(const picture& p, const receiver& r, const settings& s, const all_ta
     return occlusion / static_cast<double>(taps.size());
 }
 
+/// How much nearer a position is than the receiver to the eye that looks at it.
+double before(const receiver& r, glm::dvec3 position) {
+    return r.to_eye.z < 0 ? r.position.z - position.z : position.z - r.position.z;
+}
+
+bool is_close_to_plane(const receiver& r, const settings& s, glm::dvec3 point) {
+    return std::abs(glm::dot(point - r.position, r.normal)) <= s.bias * std::min(s.radius, -r.position.z);
+}
+
+/// What a layer lets through of a point is open.
+double ssao(const picture& p, const receiver& r, const settings& s, const layers_at& layers) {
+    double occluded = 0, points = 0;
+    const std::vector<tap> taps = oracle::hemisphere_points(p, r, s, 12)[0];
+    for (const tap& t : taps) {
+        if (is_close_to_plane(r, s, t.point) || glm::dot(t.point - r.position, r.normal) < 0)
+            continue;
+        const std::vector<seen_layer> there = layers(t.x, t.y);
+        double most = 0, known = there.empty() ? 1 : 0;
+        for (const seen_layer& layer : there) {
+            if (before(r, layer.position) < before(r, t.point)) {
+                known = most > 0 ? known : 1;
+                continue;
+            }
+            const double x = std::clamp(2 - 2 * before(r, layer.position) / s.radius, 0.0, 1.0);
+            const double in_range = x * x * (3 - 2 * x);
+            if (layer.opacity * in_range > most) {
+                most = layer.opacity * in_range;
+                known = 1 - layer.opacity + most;
+            }
+        }
+        occluded += most;
+        points += known;
+    }
+    return occluded / std::max(points, 1.0);
+}
+
+/// How much of what the plane leaves empty a layer fills, and how it counts.
+double filled_over_plane(const receiver& r, const settings& s, const seen_layer& layer, double filled,
+                         double under) {
+    const double beyond = std::max(before(r, layer.position) - s.radius, 0.0);
+    return layer.opacity * (filled - under) * (1 - std::min(beyond / (s.falloff * s.radius), 1.0));
+}
+
+double point_volume(const picture& p, const receiver& r, const settings& s, const layers_at& layers) {
+    double more = 0, empty = 0;
+    for (const tap& t : oracle::sphere_points(p, r, s, 12)) {
+        if (is_close_to_plane(r, s, t.point))
+            continue;
+        const double under = glm::dot(t.point - r.position, r.normal) < 0 ? 1 : 0;
+        const std::vector<seen_layer> there = layers(t.x, t.y);
+        double most = there.empty() ? -under : -1;
+        for (const seen_layer& layer : there)
+            most = std::max(
+                most, filled_over_plane(r, s, layer, before(r, layer.position) > before(r, t.point), under));
+        more += most;
+        empty += 1 - under;
+    }
+    return std::max(more / std::max(empty, 1.0), 0.0);
+}
+
+double line_volume(const picture& p, const receiver& r, const settings& s, const layers_at& layers) {
+    double more = 0, empty = 0;
+    for (const oracle::line& l : oracle::disk_lines(p, r, s, 12, false)) {
+        if (!(l.far > l.near))
+            continue;
+        const std::vector<seen_layer> there = layers(l.x, l.y);
+        double most = there.empty() ? -l.under : -l.far;
+        for (const seen_layer& layer : there) {
+            const double depth = std::clamp(-layer.position.z, l.near, l.far);
+            most = std::max(most, filled_over_plane(
+                                      r, s, layer, r.to_eye.z < 0 ? depth - l.near : l.far - depth, l.under));
+        }
+        more += l.weight * most;
+        empty += l.weight * (l.far - l.near - l.under);
+    }
+    return std::max(more / std::max(empty, 0.1 * s.radius), 0.0);
+}
+
+double gtao(const picture& p, const receiver& r, const settings& s, const layers_at& layers) {
+    return oracle::gtao(r, s, oracle::slices(p, r, s, 3, 4), layers);
+}
+
+double visibility_bitmask(const picture& p, const receiver& r, const settings& s, const layers_at& layers) {
+    return oracle::visibility_bitmask(p, r, s, oracle::slices(p, r, s, 3, 4), layers);
+}
+
 /// What is seen of every layer, by the oracle.
 struct seen_layers {
     std::vector<double> visibility;
@@ -103,6 +190,12 @@ struct seen_layers {
 
 seen_layers expected_of(const surfaces& layers, const settings& s, bool thin, const occlusion_of& estimate) {
     const picture p = seen();
+    const layers_at layers_of_texel = [&](int x, int y) {
+        std::vector<seen_layer> there;
+        for (const surface_fragment& each : layers[p.index(x, y)])
+            there.push_back({position_of(p, x, y, each), opacity_of(each)});
+        return there;
+    };
     seen_layers all;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
@@ -112,14 +205,13 @@ seen_layers expected_of(const surfaces& layers, const settings& s, bool thin, co
                 receiver r{x, y, x, y, position_of(p, x, y, layer), layer.normal, {}};
                 r.to_eye = p.to_eye(r.position);
                 const bool front = glm::dot(layer.normal, r.to_eye) > 0;
-                const all_taps taps = oracle::directions(p, r, s, 5, 4);
                 const auto occlusion = [&](glm::dvec3 normal) { // from the side that it points to
                     receiver side = r;
                     side.normal = normal;
                     if (glm::dot(normal, r.to_eye) < 0)
                         side.to_eye = -r.to_eye;
                     const double visible =
-                        std::pow(std::clamp(1 - s.strength * estimate(p, side, s, taps, layers), 0.0, 1.0),
+                        std::pow(std::clamp(1 - s.strength * estimate(p, side, s, layers_of_texel), 0.0, 1.0),
                                  s.exponent);
                     return 1 - visible;
                 };
@@ -144,12 +236,17 @@ seen_layers expected_of(const surfaces& layers, const settings& s, bool thin, co
 }
 
 struct case_of {
-    std::string estimator;
+    std::string sampler, estimator;
     occlusion_of occlusion;
-    double bias;
 };
 
-const case_of cases[] = {{"hbao_plus", hbao_plus, 0}, {"hbao", hbao, 0}};
+const case_of cases[] = {{"directions:5x4", "hbao_plus", hbao_plus},
+                         {"directions:5x4", "hbao", hbao},
+                         {"slices:3x4", "gtao", gtao},
+                         {"slices:3x4", "visibility_bitmask", visibility_bitmask},
+                         {"hemisphere_points:12", "ssao", ssao},
+                         {"sphere_points:12", "point_volume", point_volume},
+                         {"sphere_lines:12", "line_volume", line_volume}};
 
 std::unique_ptr<oracle::fragment_capture> run(const std::string& recipe, const oracle::triangles& drawn,
                                               const std::array<std::uint32_t, 16>& colors) {
@@ -175,7 +272,7 @@ TEST_CASE("every layer against the oracle: occlusion by opacity, blended front t
         for (const bool thin : {false, true}) {
             CAPTURE(each.estimator);
             CAPTURE(thin);
-            const auto made = run("directions:5x4/linked_lists:32x64/" + each.estimator +
+            const auto made = run(each.sampler + "/linked_lists:32x64/" + each.estimator +
                                       (thin ? "/thin_layers" : "/every_layer") + "/r32f",
                                   drawn, oracle::every_color());
             settings s = oracle::settings_of(made->parameters(), made->effect());
@@ -344,4 +441,58 @@ TEST_CASE("the interior of a hull sees what stands behind it") {
         const double beyond = apart / radius;
         CHECK(std::abs(interior - beyond * beyond) < 0.15);
     }
+}
+
+TEST_CASE("between the faces of a transparent hull all is open") {
+    const float near = 1.5f, far = 4.2f; // farther apart than the radius
+    oracle::triangles back, drawn;
+    oracle::add_quad(drawn, {-8, -8, -near}, {16, 0, 0}, {0, 16, 0});
+    oracle::add_quad(back, {-8, -8, -far}, {16, 0, 0}, {0, 16, 0});
+    back = oracle::turned(back);
+    drawn.insert(drawn.end(), back.begin(), back.end());
+    std::array<std::uint32_t, 16> colors = all_of(255);
+    colors[0] = colors[1] = 0x80808080u;
+    for (const std::string parts : {"half_directions:8x8/linked_lists:4x8/cosine_bitmask:0x0",
+                                    "half_directions:8x8/linked_lists:4x8/cosine_bitmask:1x0"}) {
+        CAPTURE(parts);
+        const auto hull = run(parts + "/every_layer/r32f", drawn, colors);
+        CHECK(std::ranges::min(hull->runner().download("visibility")) > 0.99f);
+    }
+}
+
+TEST_CASE("an opaque solid behind a hull begins where its front does") {
+    constexpr float apart = 1.5f, alpha = 128 / 255.0f;
+    oracle::triangles drawn = oracle::wall(3), back = oracle::turned(oracle::wall(4 + apart));
+    for (const oracle::triangles& each : {oracle::wall(3 + apart), back})
+        drawn.insert(drawn.end(), each.begin(), each.end());
+    std::array<std::uint32_t, 16> colors = all_of(255);
+    colors[0] = colors[1] = 0x80808080u;
+    const std::string parts = "half_directions:8x8/linked_lists:4x8/cosine_bitmask:0x0";
+    const auto of_one = run(parts + "/every_layer/r32f", drawn, colors),
+               of_both = run(parts + "/thin_layers/r32f", drawn, colors);
+    const std::size_t middle = height / 2 * width + width / 2;
+    const double one = double{of_one->runner().download("visibility")[middle]},
+                 both = double{of_both->runner().download("visibility")[middle]};
+    const double beyond = apart / radius;
+    CAPTURE(one);
+    CAPTURE(both);
+    CHECK(std::abs(1 - (one - both) / (alpha * (1 - alpha)) - beyond * beyond) < 0.15);
+}
+
+TEST_CASE("a hull that stands alone is open on both sides") {
+    oracle::triangles slanted;
+    oracle::add_quad(slanted, {-8, -6, -6}, {16, 0, 3}, {0, 12, 2});
+    std::array<std::uint32_t, 16> colors = all_of(255);
+    colors[0] = colors[1] = 0x80808080u;
+    for (const std::string parts :
+         {"directions:8x8/linked_lists:4x8/hbao", "directions:8x8/linked_lists:4x8/hbao_plus",
+          "slices:8x8/linked_lists:4x8/gtao", "slices:8x8/linked_lists:4x8/visibility_bitmask",
+          "half_directions:8x8/linked_lists:4x8/cosine_bitmask:0x0",
+          "half_directions:8x8/linked_lists:4x8/cosine_bitmask", "hemisphere_points:32/linked_lists:4x8/ssao",
+          "sphere_points:32/linked_lists:4x8/point_volume", "sphere_lines:32/linked_lists:4x8/line_volume"})
+        for (const oracle::triangles& drawn : {oracle::wall(3), slanted}) {
+            CAPTURE(parts);
+            const auto thin = run(parts + "/thin_layers/r32f", drawn, colors);
+            CHECK(std::ranges::min(thin->runner().download("visibility")) > 0.99f);
+        }
 }

@@ -63,6 +63,15 @@ struct direction_of {
     }
 };
 
+layers_at layers_of(const picture& p) {
+    return [&p](int x, int y) {
+        std::vector<seen_layer> all;
+        for (const glm::dvec3& position : p.positions(x, y))
+            all.push_back({position});
+        return all;
+    };
+}
+
 /// The mean of what directions say, each with its weight.
 template <class Occlusion>
 double weighted_mean(const receiver& r, const half_slices& where, Occlusion occlusion) {
@@ -125,18 +134,23 @@ half_slices slices(const picture& p, const receiver& r, const settings& s, int c
 }
 
 double gtao(const picture& p, const receiver& r, const settings& s, const half_slices& where) {
+    return gtao(r, s, where, layers_of(p));
+}
+
+double gtao(const receiver& r, const settings& s, const half_slices& where, const layers_at& layers) {
     return weighted_mean(r, where, [&](const half_slice& each, double a, double b, double share) {
         double rise = 0;
         for (const march_tap& t : each.taps)
-            for (const glm::dvec3& position : p.positions(t.x, t.y)) {
+            for (const seen_layer& layer : layers(t.x, t.y)) {
                 if (!t.counts)
                     continue;
-                const glm::dvec3 way = position - r.position;
+                const glm::dvec3 way = layer.position - r.position;
                 const direction_of seen(r, way);
                 const glm::dvec3 stretched(way.x, way.y, way.z * (1 + s.thin_occluders));
                 const double nearness =
                     std::clamp((1 - glm::length(stretched) / s.radius) / s.falloff, 0.0, 1.0);
-                rise = std::max(rise, nearness * (std::cos(seen.angle) - std::cos(seen.tangent)));
+                rise = std::max(rise, std::sqrt(layer.opacity) * nearness *
+                                          (std::cos(seen.angle) - std::cos(seen.tangent)));
             }
         const double horizon = std::acos(std::min(std::cos(tangent_of(a, b)) + rise, 1.0));
         return share > 0 ? 1 - lobe(a, b, horizon) / share : 0;
@@ -144,13 +158,26 @@ double gtao(const picture& p, const receiver& r, const settings& s, const half_s
 }
 
 double visibility_bitmask(const picture& p, const receiver& r, const settings& s, const half_slices& where) {
+    return visibility_bitmask(p, r, s, where, layers_of(p));
+}
+
+double visibility_bitmask(const picture& p, const receiver& r, const settings& s, const half_slices& where,
+                          const layers_at& layers) {
+    // Of a layer some sectors count: those of the least index with its bits reversed.
+    const auto counts = [](int i, double opacity) {
+        int reversed = 0;
+        for (int bit = 0; bit < 5; ++bit)
+            reversed = 2 * reversed + (i >> bit) % 2;
+        return reversed < std::floor(32 * opacity + 0.5);
+    };
     return weighted_mean(r, where, [&](const half_slice& each, double, double, double) {
         bool hidden[32] = {};
         for (const march_tap& t : each.taps)
-            for (const glm::dvec3& position : p.positions(t.x, t.y)) {
+            for (const seen_layer& layer : layers(t.x, t.y)) {
                 if (!t.counts)
                     continue;
-                const glm::dvec3 way = position - r.position, back = -p.to_eye(position);
+                const glm::dvec3 way = layer.position - r.position, eye = p.to_eye(layer.position);
+                const glm::dvec3 back = glm::dot(eye, r.to_eye) > 0 ? -eye : eye;
                 // What of the slab is within the radius, by the quadratic equation.
                 const double half = glm::dot(way, back),
                              root = half * half - glm::dot(way, way) + s.radius * s.radius;
@@ -165,7 +192,7 @@ double visibility_bitmask(const picture& p, const receiver& r, const settings& s
                     return std::floor(32 * std::min(seen.angle / seen.tangent, 1.0) + 0.5);
                 };
                 for (int i = static_cast<int>(sector(from)); i < static_cast<int>(sector(to)); ++i)
-                    hidden[i] = true;
+                    hidden[i] = hidden[i] || counts(i, layer.opacity);
             }
         return static_cast<double>(std::count(std::begin(hidden), std::end(hidden), true)) / 32;
     });

@@ -34,9 +34,12 @@ half_slices slices(const picture& p, const receiver& r, const settings& s, int c
                    int power = 2);
 half_slices axis_slices(const picture& p, const receiver& r, const settings& s, int steps, int reach);
 
-/// Occlusion in [0, 1] of a receiver from its half slices.
+/// Occlusion in [0, 1] of a receiver from its half slices, by the layers of the picture or by others.
 double gtao(const picture& p, const receiver& r, const settings& s, const half_slices& where);
+double gtao(const receiver& r, const settings& s, const half_slices& where, const layers_at& layers);
 double visibility_bitmask(const picture& p, const receiver& r, const settings& s, const half_slices& where);
+double visibility_bitmask(const picture& p, const receiver& r, const settings& s, const half_slices& where,
+                          const layers_at& layers);
 double cosine_bitmask(const picture& p, const receiver& r, const settings& s, const half_slices& where,
                       bool linear, bool isolated);
 

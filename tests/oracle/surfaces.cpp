@@ -81,8 +81,10 @@ std::size_t total(const surfaces& of) {
     return count;
 }
 
-/// Checks what a source of lists keeps against all fragments.
-void check_surfaces(const std::string& source) {
+/// Checks what a source keeps against all fragments.
+/// @param pool  the number of a source of lists
+/// @param most  layers that the source takes
+void check_surfaces(const std::string& source, const std::string& pool, std::size_t most) {
     for (lens kind : {lens::standard, lens::orthographic})
         for (unsigned triangles : {6u, 60u, 400u}) {
             CAPTURE(triangles);
@@ -90,12 +92,14 @@ void check_surfaces(const std::string& source) {
             const oracle::fragment_lists all = oracle::rasterise(drawn, kind, width, height);
             for (std::size_t layers : {1u, 3u, 4u, 9u, 32u}) {
                 CAPTURE(layers);
-                oracle::fragment_capture capture(packing(source + ":" + std::to_string(layers) + "x64"),
-                                                 width, height, kind);
+                layers = std::min(layers, most);
+                oracle::fragment_capture capture(packing(source + ":" + std::to_string(layers) + pool), width,
+                                                 height, kind);
                 capture.draw(drawn);
                 const surfaces kept = capture.surfaces();
                 CHECK(wrong(kept, all, layers, drawn) == 0);
-                CHECK(capture.count_in("fragments_beyond_pool") == 0);
+                if (!pool.empty())
+                    CHECK(capture.count_in("fragments_beyond_pool") == 0);
                 const auto opacities = capture.opacities();
                 std::size_t other = 0;
                 for (std::size_t at = 0; at < kept.size(); ++at)
@@ -158,11 +162,86 @@ void check_pools(const std::string& source, bool mixes) {
 }
 
 TEST_CASE("linked lists keep the nearest surfaces in order, and none of no opacity") {
-    check_surfaces("linked_lists");
+    check_surfaces("linked_lists", "x64", 32);
 }
 
 TEST_CASE("linear lists keep the nearest surfaces in order, and none of no opacity") {
-    check_surfaces("linear_lists");
+    check_surfaces("linear_lists", "x64", 32);
+}
+
+TEST_CASE("a layer array keeps the nearest surfaces in order, and none of no opacity") {
+    check_surfaces("layer_array", "", 32);
+}
+
+TEST_CASE("peeling keeps the nearest surfaces in order, and none of no opacity") {
+    check_surfaces("peeled_layers", "", 8);
+}
+
+TEST_CASE("a layer array counts the surfaces that lie behind its layers, as lists do") {
+    const oracle::triangles drawn = oracle::soup(60, 2);
+    for (const std::string layers : {"1", "5", "32"}) {
+        CAPTURE(layers);
+        oracle::fragment_capture array(packing("layer_array:" + layers), width, height),
+            lists(packing("linked_lists:" + layers + "x64"), width, height);
+        array.draw(drawn);
+        lists.draw(drawn);
+        CHECK(array.count_in("fragments_beyond_layers") == lists.count_in("fragments_beyond_layers"));
+    }
+}
+
+TEST_CASE("of coplanar surfaces an array keeps each once and peeling one of each side, and none is mixed") {
+    oracle::triangles drawn = oracle::soup(5, 7);
+    const oracle::triangles same = drawn, other = oracle::turned(drawn);
+    for (const oracle::triangles* each : {&same, &same, &other})
+        drawn.insert(drawn.end(), each->begin(), each->end());
+    const oracle::fragment_lists all = oracle::rasterise(drawn, lens::standard, width, height);
+    const auto kept_by = [&drawn](const std::string& source) {
+        oracle::fragment_capture capture(packing(source), width, height);
+        capture.draw(drawn);
+        return capture.surfaces();
+    };
+    CHECK(wrong(kept_by("layer_array:20"), all, 20, drawn) == 0);
+    const surfaces peeled = kept_by("peeled_layers:8"), array = kept_by("layer_array:20");
+    std::size_t mixed = 0, missing = 0, twice = 0;
+    for (std::size_t at = 0; at < peeled.size(); ++at) {
+        std::set<std::pair<double, bool>> depths;
+        for (const surface_fragment& each : array[at])
+            depths.emplace(each.depth, each.back);
+        missing += peeled[at].size() != std::min<std::size_t>(depths.size(), 8);
+        for (const surface_fragment& each : peeled[at]) {
+            twice += depths.erase({each.depth, each.back}) == 0;
+            mixed += !all.doubtful[at] && std::ranges::none_of(all.of[at], [&](const fragment& f) {
+                return is_of(each, f, drawn);
+            });
+        }
+    }
+    CHECK(mixed == 0);
+    CHECK(missing == 0);
+    CHECK(twice == 0);
+}
+
+TEST_CASE("separated layers keep the surfaces of their fragments") {
+    const oracle::triangles drawn = oracle::soup(60, 2);
+    const oracle::fragment_lists all = oracle::rasterise(drawn, lens::standard, width, height);
+    oracle::fragment_capture capture(packing("separated_layers:3"), width, height),
+        peeled(packing("peeled_layers:3"), width, height);
+    capture.set("separation", 0);
+    capture.draw(drawn);
+    CHECK(wrong(capture.surfaces(), all, 3, drawn) == 0);
+    capture.set("separation", 0.5f);
+    capture.draw(drawn);
+    std::size_t strange = 0, near = 0;
+    const surfaces kept = capture.surfaces();
+    for (std::size_t at = 0; at < kept.size(); ++at)
+        for (std::size_t i = 0; i < kept[at].size(); ++i) {
+            near += i > 0 && kept[at][i].depth < kept[at][i - 1].depth + 0.4999;
+            strange += !all.doubtful[at] && std::ranges::none_of(all.of[at], [&](const fragment& f) {
+                return is_of(kept[at][i], f, drawn);
+            });
+        }
+    CHECK(total(kept) > 1000);
+    CHECK(strange == 0);
+    CHECK(near == 0);
 }
 
 TEST_CASE("a pool of any size loses no nearest surface of linked lists, and counts what it lost") {
@@ -173,19 +252,21 @@ TEST_CASE("a pool of any size loses no nearest surface of linear lists, mixes no
     check_pools("linear_lists", false);
 }
 
-TEST_CASE("lists of surfaces give the same occlusion for the same fragments, compressed or not") {
+TEST_CASE("all sources of surfaces give the same occlusion for the same fragments, compressed or not") {
     const oracle::triangles drawn = oracle::soup(30, 11);
     const auto visibility = [&drawn](const std::string& source, const std::string& rest) {
-        oracle::fragment_capture capture("directions:2x4/" + source + ":16x64/hbao/every_layer/r32f" + rest,
-                                         width, height, lens::standard, "visibility");
+        oracle::fragment_capture capture("directions:2x4/" + source + "/hbao/every_layer/r32f" + rest, width,
+                                         height, lens::standard, "visibility");
         capture.set("radius", 3);
         capture.draw(drawn);
         return capture.runner().download("visibility");
     };
     for (const std::string rest : {"", "/compressed:4", "/compressed_occluders:4"}) {
         CAPTURE(rest);
-        const std::vector<float> linked = visibility("linked_lists", rest);
-        CHECK(linked == visibility("linear_lists", rest));
+        const std::vector<float> linked = visibility("linked_lists:16x64", rest);
+        CHECK(linked == visibility("linear_lists:16x64", rest));
+        CHECK(linked == visibility("layer_array:16", rest));
+        CHECK(visibility("linked_lists:8x64", rest) == visibility("peeled_layers:8", rest));
         CHECK(std::ranges::min(linked) < 0.8f);
     }
 }

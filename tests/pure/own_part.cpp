@@ -124,6 +124,6 @@ TEST_CASE("a host's own number is a constant of the program") {
 
 TEST_CASE("a host's own estimator is refused beside a sampler that does not fit") {
     CHECK(recipe("hemisphere_points/single_layer/own_estimator", known_parts()).error() ==
-          "crease::effect: the estimator needs taps on the screen, which the sampler does not propose "
+          "crease::effect: taps on the screen are needed, which the sampler does not propose "
           "(own_estimator, hemisphere_points)");
 }

@@ -202,7 +202,7 @@ void crease_capture(vec3 anchor) {
 OWN_THINGS(own_scan)
 struct own_scan {
     static constexpr glsl_file glsl{"own/scan.glsl", OWN_VALUE(own_scan) R"(
-shared vec4 crease_own_scan_sums[gl_WorkGroupSize.x * gl_WorkGroupSize.y];
+shared vec4 crease_own_scan_sums[crease_group_size.x * crease_group_size.y];
 
 vec4 crease_scan_before(vec4 own, int along, int pieces, int stride) {
     int at = int(gl_LocalInvocationIndex);
@@ -296,7 +296,7 @@ vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver rece
     return vec2(cos(pattern.angle), sin(pattern.angle));
 }
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
-    vec2 texel = floor(receiver.texel + receiver.disk * vec2(float(step + 1) / float(crease_own_sampler_taps)));
+    vec2 texel = floor(receiver.texel + crease_disk_of(receiver) * vec2(float(step + 1) / float(crease_own_sampler_taps)));
     return crease_tap(texel, crease_inside(texel), 1.0);
 }
 )"};

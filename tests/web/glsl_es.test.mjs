@@ -5,7 +5,7 @@ import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {pathToFileURL} from 'node:url';
 
-import {need_browser} from './packages.mjs';
+import {need_browser, new_page} from './packages.mjs';
 
 const {PACKAGE} = process.env;
 const launch = need_browser();
@@ -14,7 +14,7 @@ let crease, browser, page;
 before(async () => {
     crease = await (await import(pathToFileURL(join(PACKAGE, 'crease.js')))).load();
     browser = await launch();
-    page = await browser.newPage();
+    page = await new_page(browser);
 });
 
 after(() => browser?.close());

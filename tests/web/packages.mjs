@@ -29,3 +29,10 @@ export function need_browser() {
     const {chromium} = require('playwright-core');
     return (...args) => chromium.launch({executablePath: CHROMIUM, args: ['--no-sandbox', ...args]});
 }
+
+/** A page that waits as long as a processor that draws in place of a GPU may take on a busy machine. */
+export async function new_page(browser, options) {
+    const page = await browser.newPage(options);
+    page.setDefaultTimeout(120_000);
+    return page;
+}

@@ -10,7 +10,7 @@ import {fileURLToPath} from 'node:url';
 
 import {read_pfm} from '../../web/bake/pfm.mjs';
 import {serve} from '../../web/serve.mjs';
-import {need, need_browser} from './packages.mjs';
+import {need, need_browser, new_page} from './packages.mjs';
 
 const {CREASE, MODULES, PACKAGE} = process.env;
 need('three');
@@ -62,7 +62,7 @@ before(async () => {
         symlinkSync(place, join(site, name));
     ({server, address} = await serve(site));
     browser = await launch('--use-angle=swiftshader', '--enable-unsafe-swiftshader');
-    page = await browser.newPage();
+    page = await new_page(browser);
     page.on('console', (message) => said.push(message.text()));
     page.on('pageerror', (error) => said.push(String(error)));
     await page.goto(`${address}three.html`);

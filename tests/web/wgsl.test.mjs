@@ -14,13 +14,11 @@ import {need, require} from './packages.mjs';
 const {EMIT, MODULES, PACKAGE} = process.env;
 need('naga-wasm', 'webgpu');
 const folder = mkdtempSync(join(tmpdir(), 'crease-wgsl-'));
-let crease, naga, gpu, device;
-
-const formats = {r8_unorm: 'r8unorm', rgba8_unorm: 'rgba8unorm', r32_uint: 'r32uint', rg32_uint: 'rg32uint', rgba32_uint: 'rgba32uint',
-                 r32_float: 'r32float', rgba16_float: 'rgba16float', rgba32_float: 'rgba32float'};
+let crease, webgpu, naga, gpu, device;
 
 before(async () => {
     crease = await (await import(pathToFileURL(join(PACKAGE, 'crease.js')))).load();
+    webgpu = await import(pathToFileURL(join(PACKAGE, 'webgpu.js')));
     naga = await import(pathToFileURL(require.resolve('naga-wasm')));
     const dawn = await import(pathToFileURL(require.resolve('webgpu')));
     Object.assign(globalThis, dawn.globals);
@@ -35,10 +33,10 @@ after(() => {
 
 const names_of = (role) => crease.parts.filter((part) => part.role === role).map(({name}) => name);
 
-/** Every sampler and estimator over the sources of one layer, and every other part once. */
+/** Every sampler and estimator over every source, and every other part once. */
 function recipes() {
     const fits = (recipe) => crease.check(`${recipe}/webgpu`) === '';
-    const three = ['single_layer', 'depth_pyramid'].flatMap((source) =>
+    const three = names_of('depth source').flatMap((source) =>
         names_of('sampler').flatMap((sampler) => names_of('estimator').map((estimator) => `${sampler}/${source}/${estimator}`)));
     const roles = ['projection', 'depth encoding', 'normals', 'noise', 'output', 'output format', 'filter', 'stage'];
     const base = 'directions:4x4/single_layer/hbao';
@@ -56,49 +54,46 @@ function translated(recipe) {
     const manifest = JSON.parse(readFileSync(join(folder, 'crease_shaders.json')));
     for (const shader of manifest.passes.flatMap(({shaders}) => shaders)) {
         const source = new Uint32Array(Uint8Array.from(readFileSync(join(folder, shader.file))).buffer);
-        shader.code = naga.translate({from: 'spirv', source, to: 'wgsl'});
+        Object.assign(shader, {format: 'wgsl', text: naga.translate({from: 'spirv', source, to: 'wgsl'})});
     }
+    for (const resource of manifest.resources.filter(({texels}) => texels))
+        resource.texels = new Uint32Array(Uint8Array.from(readFileSync(join(folder, resource.texels))).buffer);
     return manifest;
 }
 
-/** Makes the pipeline of a pass; what Dawn says of it, "" where it is content. */
-async function complaint(pass, resources) {
-    const stage_of = (wanted) => {
-        const {code} = pass.shaders.find(({stage}) => stage === wanted);
-        return {module: device.createShaderModule({code}), entryPoint: 'main'};
-    };
+/** What Dawn says of the pipelines and images of a manifest, "" where it is content. */
+async function complaint(manifest) {
     device.pushErrorScope('validation');
-    if (pass.stage === 'compute') {
-        device.createComputePipeline({layout: 'auto', compute: stage_of('compute')});
-    } else {
-        const targets = pass.bindings.filter(({access}) => access === 'attachment').map(({resource}) =>
-            ({format: formats[resources.find(({name}) => name === resource).format]}));
-        device.createRenderPipeline({layout: 'auto', vertex: stage_of('vertex'), fragment: {...stage_of('fragment'), targets}});
-    }
-    return (await device.popErrorScope())?.message ?? '';
+    const refused = await webgpu.WebGPUEffect.create(device, manifest, 64, 48).then((effect) => effect.dispose(), ({message}) => message);
+    const otherwise = await device.popErrorScope();
+    return refused ?? otherwise?.message ?? '';
 }
 
-test('naga translates every effect of a choice, and Dawn makes pipelines of it', async (context) => {
+test('naga translates every effect of a choice, and its GLSL too, and Dawn makes pipelines of both', async (context) => {
     const seen = new Set();
     const all = recipes();
-    for (const recipe of all) {
-        const {passes, resources} = translated(recipe);
-        for (const pass of passes) {
-            const text = pass.shaders.map(({code}) => code).join('');
-            if (seen.has(text))
+    for (const recipe of all)
+        for (const [from, manifest] of [['SPIR-V', translated(recipe)],
+                                        ['GLSL', webgpu.with_wgsl(crease.compose(`${recipe}/webgpu`), naga.translate)]]) {
+            const texts = manifest.passes.map(({shaders}) => shaders.map(({text}) => text).join(''));
+            if (texts.every((text) => seen.has(text)))
                 continue;
-            seen.add(text);
-            assert.equal(await complaint(pass, resources), '', `${recipe}, pass ${pass.name}`);
+            texts.forEach((text) => seen.add(text));
+            assert.equal(await complaint(manifest), '', `${recipe} by ${from}`);
         }
-    }
     context.diagnostic(`${all.length} recipes of ${seen.size} different passes`);
-    assert.ok(seen.size > 60);
+    assert.ok(seen.size > 120);
 });
 
 test('Dawn does complain of what is wrong', async () => {
-    const {passes, resources} = translated('directions:4x4/single_layer/hbao');
-    passes[0].shaders[0].code = passes[0].shaders[0].code.replace('@workgroup_size(16, 16, 1)', '@workgroup_size(16, 32, 1)');
-    assert.match(await complaint(passes[0], resources), /workgroup|invocations/i);
+    const wrong = (change) => {
+        const manifest = translated('directions:4x4/single_layer/hbao');
+        change(manifest.passes[0]);
+        return complaint(manifest);
+    };
+    const replaced = (from, to) => ({shaders: [shader]}) => (shader.text = shader.text.replace(from, to));
+    assert.match(await wrong(replaced('@workgroup_size(16, 16, 1)', '@workgroup_size(16, 32, 1)')), /workgroup|invocations/i);
+    assert.match(await wrong(replaced('@binding(1)', '@binding(7)')), /binding/i);
 });
 
 test('crease emit --target wgsl writes the same', () => {
@@ -107,7 +102,9 @@ test('crease emit --target wgsl writes the same', () => {
     const manifest = JSON.parse(readFileSync(join(folder, 'crease_shaders.json')));
     manifest.passes.forEach(({shaders: [{format, file}], dialect}, i) => {
         assert.deepEqual([format, dialect], ['wgsl', 'webgpu']);
-        assert.equal(readFileSync(join(folder, file), 'utf8'), passes[i].shaders[0].code);
+        const [origin, ...text] = readFileSync(join(folder, file), 'utf8').split('\n');
+        assert.ok(origin.startsWith('// ') && origin.endsWith('SPDX-License-Identifier: MIT-0'), origin);
+        assert.equal(text.join('\n'), passes[i].shaders[0].text);
     });
 });
 

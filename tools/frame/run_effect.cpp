@@ -198,6 +198,9 @@ prepared_effect::prepared_effect(vulkan::device& device, const recipe& wanted, c
     if (effect.passes.back().stage == stage_kind::functions ||
         effect.passes.back().dialect != dialect_kind::vulkan)
         throw recipe_error("a recipe that is run is of programs in the vulkan dialect");
+    if (std::ranges::find(effect.passes, "capture_dynamic", &pass::name) != effect.passes.end())
+        throw recipe_error("the recipe draws dynamic geometry apart from static geometry, and no scene says "
+                           "what is dynamic; draw them in a host of your own, or take separated_layers");
     how_.view = inputs.view;
     how_.radius = inputs.drawn.scale.radius(options.radius);
     describe_camera(how_, effect, inputs);

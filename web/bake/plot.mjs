@@ -21,17 +21,22 @@ function scale(values, begin, end) {
     return {place, ticks: ticks(least, most)};
 }
 
-/** Moves labels down until none lies on another. */
-function spread(points, step) {
-    const placed = [];
-    for (const point of [...points].sort((a, b) => a.y - b.y)) {
-        let y = point.y;
-        for (const other of placed)
-            if (Math.abs(other.x - point.x) < 110 && y - other.y < step)
-                y = other.y + step;
-        placed.push({...point, label: y, y});
-    }
-    return new Map(placed.map(({id, label}) => [id, label]));
+/** Where the label of each point goes: beside, above or below it, where it lies on no other label and on no point. */
+function labelled(points) {
+    const line = 12, glyph = 6;
+    const taken = points.map(({x, y}) => ({x: x - 5, y: y - 5, width: 10, height: 10}));
+    const free = (box) => !taken.some((other) => box.x < other.x + other.width && other.x < box.x + box.width &&
+                                                 box.y < other.y + other.height && other.y < box.y + box.height);
+    return [...points].sort((a, b) => a.y - b.y).map((point) => {
+        const long = glyph * point.title.length;
+        const places = [0, 1, -1, 2, -2].flatMap((lines) => [{at: 8, lines, anchor: 'start'}, {at: -8, lines, anchor: 'end'}]);
+        const boxes = places.map(({at, lines, anchor}) => ({
+            anchor, at: point.x + at, x: point.x + at - (anchor === 'end' ? long : 0), y: point.y + (lines - 0.5) * line, width: long, height: line,
+        }));
+        const box = boxes.find(free) ?? boxes[0];
+        taken.push(box);
+        return {...point, label: box};
+    });
 }
 
 /** @param points  {id, title, cost, error} */
@@ -39,7 +44,6 @@ export function plot(points, {cost, error}) {
     const across = scale(points.map((each) => each.cost), left, width - right);
     const down = scale(points.map((each) => each.error), height - bottom, top);
     const placed = points.map((each) => ({...each, x: across.place(each.cost), y: down.place(each.error)}));
-    const labels = spread(placed, 13);
     const lines = [
         ...across.ticks.map((value) => {
             const x = across.place(value).toFixed(1);
@@ -49,8 +53,8 @@ export function plot(points, {cost, error}) {
             const y = down.place(value).toFixed(1);
             return `<path class="grid" d="M${left} ${y}H${width - right}"/><text x="${left - 6}" y="${y}" dy=".35em" text-anchor="end">${Number(value.toPrecision(2))}</text>`;
         }),
-        ...placed.map(({id, title, x, y, cost: c, error: e}) => `<a href="#${id}"><title>${escaped(title)}: ${c.toPrecision(3)}, ${e.toFixed(4)}</title>` +
-            `<circle cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="4.5"/><text x="${(x + 8).toFixed(1)}" y="${labels.get(id).toFixed(1)}" dy=".35em">${escaped(title)}</text></a>`),
+        ...labelled(placed).map(({id, title, x, y, label, cost: c, error: e}) => `<a href="#${id}"><title>${escaped(title)}: ${c.toPrecision(3)}, ${e.toFixed(4)}</title>` +
+            `<circle cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="4.5"/><text x="${label.at.toFixed(1)}" y="${(label.y + label.height / 2).toFixed(1)}" dy=".35em" text-anchor="${label.anchor}">${escaped(title)}</text></a>`),
         `<text x="${(left + width - right) / 2}" y="${height - 8}" text-anchor="middle">${escaped(cost)}</text>`,
         `<text transform="translate(14 ${(top + height - bottom) / 2}) rotate(-90)" text-anchor="middle">${escaped(error)}</text>`,
     ];

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Runs any effect of fragment passes in WebGL 2, by its manifest alone: it knows nothing of ambient occlusion.
+import {Block, size_of} from './host.js';
+
+export {size_of};
 
 /** Of each format: internal format, format and type of pixels, what holds these. */
 function pixel_formats(gl) {
@@ -16,14 +19,6 @@ function pixel_formats(gl) {
     };
 }
 
-/** The sides of an image for a picture of a size, all in texels. */
-export function size_of(size, width, height, guard = 0) {
-    if (size.width)
-        return [size.width, size.height];
-    const band = size.guarded ? 2 * guard : 0;
-    return [Math.ceil(width / size.divisor) + band, Math.ceil(height / size.divisor) + band];
-}
-
 /** Why WebGL 2 cannot run an effect, in one sentence; "" where it can. */
 export function unsupported(manifest) {
     const pass = manifest.passes.find(({stage, dialect}) => stage !== 'fragment' || dialect !== 'glsl_es');
@@ -32,31 +27,6 @@ export function unsupported(manifest) {
     const resource = manifest.resources.find((each) => each.kind === 'buffer' || each.arrayed || each.samples > 1 ||
                                                        each.lifetime === 'history' || each.clear !== undefined);
     return resource ? `the resource '${resource.name}' is more than an image that a pass draws to and another reads` : '';
-}
-
-/** The uniform block, whose members are set by their names. */
-class Block {
-    constructor({size, members}) {
-        this.bytes = new DataView(new ArrayBuffer(size));
-        this.members = new Map(members.map((member) => [member.name, member]));
-        for (const {name, default: fallback} of members)
-            if (fallback !== undefined)
-                this.set(name, fallback);
-    }
-
-    set(name, value) {
-        const member = this.members.get(name);
-        if (!member)
-            throw new RangeError(`crease: the effect has no parameter '${name}'`);
-        if (member.least !== undefined && !(value >= member.least && value <= member.most))
-            throw new RangeError(`crease: '${name}' must be from ${member.least} to ${member.most}, and is ${value}`);
-        [value].flat().forEach((number, i) => {
-            if (member.type === 'uint')
-                this.bytes.setUint32(member.offset + 4 * i, number, true);
-            else
-                this.bytes.setFloat32(member.offset + 4 * i, number, true);
-        });
-    }
 }
 
 function compile(gl, type, text, name) {
@@ -129,8 +99,7 @@ export class WebGL2Effect {
     }
 
     setView(view, index = 0) {
-        for (const [name, value] of Object.entries(view))
-            this.set(`views[${index}].${name}`, value);
+        this.#block.set_view(view, index);
     }
 
     bind(name, texture) {

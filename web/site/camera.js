@@ -36,15 +36,21 @@ export function view_matrix({eye, target, up}) {
     ]);
 }
 
-/** View space to clip space, depth in [-1, 1]. With `down` row 0 of an image is the top of the picture. */
-export function projection_matrix({vfov_deg, near, far}, aspect, down = true) {
+function perspective({vfov_deg}, aspect, depth_scale, depth_offset) {
     const scale = 1 / Math.tan(vfov_deg * Math.PI / 360);
-    return new Float32Array([
-        scale / aspect, 0, 0, 0,
-        0, down ? -scale : scale, 0, 0,
-        0, 0, (far + near) / (near - far), -1,
-        0, 0, 2 * far * near / (near - far), 0,
-    ]);
+    return new Float32Array([scale / aspect, 0, 0, 0, 0, -scale, 0, 0, 0, 0, depth_scale, -1, 0, 0, depth_offset, 0]);
+}
+
+/** View space to the clip space of WebGL, with row 0 of an image at the top of the picture. */
+export function projection_matrix(camera, aspect) {
+    const {near, far} = camera;
+    return perspective(camera, aspect, (far + near) / (near - far), 2 * far * near / (near - far));
+}
+
+/** The same for effects: with the reversed depth of `crease render`, by whose rounding estimators judge linear depth too. */
+export function reversed_projection_matrix(camera, aspect) {
+    const {near, far} = camera;
+    return perspective(camera, aspect, near / (far - near), far * near / (far - near));
 }
 
 /** The camera turned around its target by angles, and moved away from it by a factor. */

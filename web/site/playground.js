@@ -2,7 +2,6 @@
 // The page: state goes to the stage, and what is changed on the page goes to the state.
 import {load, RecipeError} from './package/crease.js';
 
-import {measure} from './clock.js';
 import {by_id, element} from './dom.js';
 import {rmse, ssim} from './measures.js';
 import {Menus} from './menus.js';
@@ -12,10 +11,13 @@ import {Stage} from './stage.js';
 import {fragment_of, read_state} from './state.js';
 import {Texts} from './texts.js';
 import {list_of_views} from './views.js';
+import {WebGL2Graphics} from './webgl2_graphics.js';
+import {WebGPUGraphics} from './webgpu_graphics.js';
 
-/** What the page adds to each recipe: its G-buffers hold linear depth, and WebGL 2 runs fragment shaders. */
-const host = ['linear_depth', 'fragment', 'glsl_es:300'];
+/** What the page decides of each recipe. */
 const host_roles = ['depth encoding', 'stage', 'dialect'];
+
+const devices = {webgl2: WebGL2Graphics, webgpu: WebGPUGraphics};
 
 /** What the images of a view hold, in the words of manifests. */
 const inputs = {depth: 'linear_depth', normal: 'view_normals'};
@@ -24,18 +26,63 @@ class Playground {
     #frame = 0; // that is requested; 0: none
     #runs = 0;
     #clock = 0;
+    #stages = {}; // of each device that was chosen: stage, recipes, menus
 
     constructor(crease, views) {
         Object.assign(this, {crease, views});
-        this.stage = new Stage(by_id('picture'), crease);
-        this.recipes = new Recipes(crease, host.join('/'));
         this.texts = new Texts(crease);
-        this.menus = new Menus(this.recipes, by_id('menus'), (words, {keep_menus} = {}) => this.#change(words, keep_menus));
         by_id('version').textContent = crease.version;
-        by_id('preset').append(...crease.presets.map(({name, summary}) =>
-            element('option', {value: `preset:${name}`, title: summary, disabled: this.#reason(`preset:${name}`) !== ''}, name)));
+        by_id('preset').append(...crease.presets.map(({name, summary}) => element('option', {value: `preset:${name}`, title: summary}, name)));
         by_id('view').append(...views.map(({name, title}) => element('option', {value: name}, title)));
         this.#listen();
+    }
+
+    /** Draws by the device of the state; where that cannot be, by WebGL 2, and says why. */
+    async #choose_device() {
+        const note = by_id('device-note');
+        if (this.state.device === 'webgpu' && this.stage?.graphics.name !== 'webgpu')
+            try {
+                note.textContent = 'WebGPU is made ready…';
+                await this.#use('webgpu');
+                note.textContent = '';
+            } catch (error) {
+                note.textContent = error.message;
+                this.state.device = 'webgl2';
+            }
+        if (this.state.device !== 'webgpu') {
+            this.state.device = 'webgl2';
+            await this.#use('webgl2');
+        }
+    }
+
+    /** Shows the stage that a device draws, and the menus of what it can run. */
+    async #use(device) {
+        if (this.stage?.graphics.name === device)
+            return;
+        this.#stages[device] ??= await this.#open(device);
+        Object.assign(this, this.#stages[device]);
+        by_id('picture').replaceWith(this.stage.canvas);
+        by_id('menus').replaceChildren();
+        for (const option of by_id('preset').querySelectorAll('option[title]'))
+            option.disabled = this.#reason(option.value) !== '';
+    }
+
+    /** A canvas belongs to one device for good. */
+    async #open(device) {
+        const canvas = by_id('picture').cloneNode();
+        const graphics = await devices[device].open(canvas);
+        const recipes = new Recipes(this.crease, graphics.host);
+        const menus = new Menus(recipes, by_id('menus'), (words, {keep_menus} = {}) => this.#change(words, keep_menus));
+        this.#listen_to_moves(canvas);
+        return {stage: new Stage(graphics, canvas, this.crease), recipes, menus};
+    }
+
+    /** Offers WebGPU where there is a device for it, and says why where there is none. */
+    async offer_webgpu() {
+        const reason = await WebGPUGraphics.missing();
+        by_id('device').querySelector('[value=webgpu]').disabled = reason !== '';
+        if (reason)
+            by_id('device-note').textContent = reason;
     }
 
     /** The words of a recipe without those that the page decides. Throws a RecipeError. */
@@ -67,7 +114,8 @@ class Playground {
         this.state = read_state(location.hash);
         const view = this.views.find(({name}) => name === this.state.view) ?? this.views[0];
         this.state.view = view.name;
-        for (const id of ['view', 'truth', 'split', 'beside'])
+        await this.#choose_device();
+        for (const id of ['view', 'truth', 'split', 'beside', 'device'])
             by_id(id).value = this.state[id];
         by_id('orbit').checked = this.state.orbit !== null;
         if (this.stage.view !== view)
@@ -99,7 +147,8 @@ class Playground {
         const effect = this.crease.compose(this.recipes.hosted(words));
         const composing = performance.now() - begin;
         try {
-            this.stage.set_effect(effect);
+            if (!await this.stage.set_effect(effect))
+                return;
         } catch (error) {
             by_id('refusal').textContent = error.message;
             return;
@@ -146,25 +195,31 @@ class Playground {
     /** Draws, and then measures what is still shown. */
     async #run() {
         const {stage, state} = this;
+        if (!stage.effect)
+            return;
         const run = ++this.#runs;
         stage.run({radius: this.radius, settings: state.settings});
         this.#draw();
-        document.body.dataset.drawn = state.recipe;
+        Object.assign(document.body.dataset, {drawn: state.recipe, device: stage.graphics.name});
         if (stage.orbit) {
             for (const id of ['rmse-hard', 'rmse-linear', 'ssim-hard', 'ssim-linear'])
                 by_id(id).textContent = '–'; // the camera has no truth
         } else {
             const visibility = await stage.visibility();
+            await Promise.all(['hard', 'linear'].map((kind) => stage.truth(kind)));
+            if (run !== this.#runs)
+                return;
             for (const kind of ['hard', 'linear'])
-                this.#measure_errors(kind, visibility, await stage.truth(kind));
-            if (run === this.#runs)
-                this.#draw();
+                this.#measure_errors(kind, visibility, stage.truths[kind]);
+            this.#draw();
         }
         clearTimeout(this.#clock);
         this.#clock = setTimeout(() => this.#measure_time(), 300);
     }
 
     #draw() {
+        if (!this.stage.effect)
+            return;
         this.stage.draw(this.state);
         const compared = !this.stage.orbit && this.state.beside !== 'nothing';
         by_id('beside-name').textContent = compared ? by_id('beside').selectedOptions[0]?.textContent ?? '' : '';
@@ -178,9 +233,11 @@ class Playground {
 
     async #measure_time() {
         const {stage} = this;
-        const {milliseconds, how} = await measure(stage.gl, () => stage.effect.run());
-        by_id('milliseconds').textContent = milliseconds.toFixed(2);
-        by_id('milliseconds').title = how;
+        const {milliseconds, how} = await stage.graphics.measure(stage.effect);
+        const shown = by_id('milliseconds');
+        shown.textContent = milliseconds.toFixed(2);
+        shown.title = how;
+        shown.dataset.device = stage.graphics.name;
     }
 
     #remember() {
@@ -211,6 +268,11 @@ class Playground {
             this.#remember();
             await this.restore();
         });
+        by_id('device').addEventListener('change', async ({target}) => {
+            this.state.device = target.value;
+            this.#remember();
+            await this.restore();
+        });
         by_id('orbit').addEventListener('change', async ({target}) => {
             this.state.orbit = target.checked ? [0, 0, 1] : null;
             this.#remember();
@@ -223,12 +285,10 @@ class Playground {
             setTimeout(() => (by_id('link-copied').textContent = ''), 3000);
         });
         addEventListener('hashchange', () => this.restore());
-        this.#listen_to_moves();
     }
 
     /** Dragging and keys turn the camera, the wheel moves it. */
-    #listen_to_moves() {
-        const canvas = by_id('picture');
+    #listen_to_moves(canvas) {
         const turn = (across, up, distance) => {
             const {orbit} = this.stage;
             if (!orbit)
@@ -264,6 +324,7 @@ try {
     const [crease, views] = await Promise.all([load(), list_of_views()]);
     globalThis.playground = new Playground(crease, views); // for the console and the tests
     await globalThis.playground.restore();
+    await globalThis.playground.offer_webgpu();
 } catch (error) {
     by_id('refusal').textContent = error.message;
     throw error;

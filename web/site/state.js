@@ -3,6 +3,7 @@
 
 export const defaults = {
     recipe: 'preset:medium',
+    device: 'webgl2',
     view: 'courtyard',
     truth: 'linear',
     beside: 'truth',

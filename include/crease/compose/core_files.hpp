@@ -20,6 +20,11 @@ inline constexpr glsl_file receiver_glsl{
 #include <crease/core/receiver.glsl>
 };
 
+inline constexpr glsl_file eye_side_glsl{
+    "core/eye_side.glsl",
+#include <crease/core/eye_side.glsl>
+};
+
 inline constexpr glsl_file layer_glsl{
     "core/layer.glsl",
 #include <crease/core/layer.glsl>
@@ -107,8 +112,8 @@ inline constexpr glsl_file build_columns_glsl{
 
 /// What every program may call: each is a default, in whose place a part may define its own.
 inline constexpr const glsl_file* core_files[] = {
-    &view_glsl,   &texels_glsl,    &receiver_glsl,    &layer_glsl,        &fetch_glsl,    &combine_glsl,
-    &fade_glsl,   &blend_glsl,     &skip_behind_glsl, &slice_weight_glsl, &gathered_glsl, &gather_glsl,
-    &result_glsl, &no_normal_glsl, &strength_glsl,    &pixel_glsl,        &bits_glsl};
+    &view_glsl,    &texels_glsl, &receiver_glsl,  &eye_side_glsl,    &layer_glsl,        &fetch_glsl,
+    &combine_glsl, &fade_glsl,   &blend_glsl,     &skip_behind_glsl, &slice_weight_glsl, &gathered_glsl,
+    &gather_glsl,  &result_glsl, &no_normal_glsl, &strength_glsl,    &pixel_glsl,        &bits_glsl};
 
 }

@@ -154,7 +154,7 @@ constexpr unsigned runs_of(const plan& p, const step& s) {
 constexpr void add_steps(plan& p, const choice& owner, bool after, unsigned view_divisor) {
     for (const step& s : owner.what->steps) {
         if (stands_before(p, owner) || s.kind == step_kind::result || s.after != after ||
-            owner.numbers[0] < s.from)
+            owner.numbers[0] < s.from || (s.needed && !p.needs(s.needed)))
             continue;
         const unsigned views = s.per_view ? p.views : 1, runs = runs_of(p, s);
         for (unsigned i = 0; i < views * runs; ++i) {

@@ -70,8 +70,8 @@ public:
     constexpr program_writer(const plan& of, const planned_pass& pass, linker& found)
         : plan_(of), pass_(pass), found_(found), is_vulkan_(of.is_vulkan()),
           is_es_(of.dialect() == dialect_kind::glsl_es), is_webgpu_(of.dialect() == dialect_kind::webgpu),
-          has_sets_(is_vulkan_ || is_webgpu_), has_bindings_(!of.is_glsl_es_300()),
-          is_result_(pass.what->kind == step_kind::result),
+          has_sets_(is_vulkan_ || is_webgpu_), sets_globals_(is_es_ || is_webgpu_),
+          has_bindings_(!of.is_glsl_es_300()), is_result_(pass.what->kind == step_kind::result),
           has_main_(pass.stage == stage_kind::compute || pass.stage == stage_kind::fragment) {
         const choice* placed = pass.stage == stage_kind::functions  ? of.find(role::stage)
                                : pass.stage == stage_kind::geometry ? &pass.owner
@@ -88,7 +88,7 @@ public:
 
     constexpr program write() {
         use_roots();
-        if (is_es_ && uses("view")) {
+        if (sets_globals_ && uses("view")) {
             found_.use_in_last(symbol_of("view_index", crease_prefix));
             found_.use_in_last(symbol_of("view_of", crease_prefix));
             out_.sets_view = true;
@@ -293,6 +293,11 @@ private:
         text << "layout(local_size_x = " << out_.constants[0].value
              << ", local_size_y = " << out_.constants[1].value
              << (is_vulkan_ ? ", local_size_x_id = 0, local_size_y_id = 1) in;\n" : ") in;\n");
+        if (uses("group_size") && is_webgpu_) // WGSL does not tell
+            text << "#define crease_group_size uvec3(" << out_.constants[0].value << ", "
+                 << out_.constants[1].value << ", 1)\n";
+        else if (uses("group_size"))
+            text << "#define crease_group_size gl_WorkGroupSize\n";
     }
     constexpr bool is_linked(const choice& c) const {
         for (const linker::linked& each : found_.order())
@@ -408,12 +413,12 @@ private:
             if (uses_setting(s))
                 write_given("float", s.shared ? std::string_view() : s.part, s.name);
     }
-    /// Gives a member of the block a name of its own; no global of GLSL ES begins with what is uniform.
+    /// Gives a member of the block a name of its own.
     constexpr void write_given(std::string_view type, std::string_view part, std::string_view name) {
         const std::string_view between = part.empty() ? "" : "_";
-        out_.head << (is_es_ ? std::string_view("#define") : type) << " crease_" << part << between << name
-                  << (is_es_ ? " crease_given." : " = crease_given.") << part << between << name
-                  << (is_es_ ? "\n" : ";\n");
+        out_.head << (sets_globals_ ? std::string_view("#define") : type) << " crease_" << part << between
+                  << name << (sets_globals_ ? " crease_given." : " = crease_given.") << part << between
+                  << name << (sets_globals_ ? "\n" : ";\n");
     }
 
     // How a program reads what a pass writes: the one place that knows of image loads and texel fetches.
@@ -478,7 +483,9 @@ private:
     const plan& plan_;
     const planned_pass& pass_;
     linker& found_;
-    bool is_vulkan_, is_es_, is_webgpu_, has_sets_, has_bindings_, is_result_, has_main_;
+    bool is_vulkan_, is_es_, is_webgpu_, has_sets_;
+    bool sets_globals_; ///< whether `main` sets what is uniform, as no global begins with it
+    bool has_bindings_, is_result_, has_main_;
     unsigned set_ = 0, first_binding_ = 0, next_id_ = 0;
     program out_;
 };

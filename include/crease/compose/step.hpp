@@ -46,14 +46,16 @@ struct step {
     bool after = false;                          ///< whether it runs after the last filter
     array_view<const step_constant> constants{}; ///< of its program alone
     array_view<const std::string_view>
-        writes{};                ///< resources of the effect's parts that it fills, of one size; those that
-                                 ///< its program does not name it has nothing to do with
-    access how = access::store;  ///< how it fills them
-    int group_width = 16;        ///< width of the workgroup, invocations, where `kind` is not `result`
-    int group_height = 16;       ///< height, likewise
-    int from = 0;                ///< the part's first number from which on the step is there
-    int times = 1;               ///< how often it runs, one after the other
-    unsigned level = 0;          ///< mip level that it writes
+        writes{};                  ///< resources of the effect's parts that it fills, of one size; those that
+                                   ///< its program does not name it has nothing to do with
+    access how = access::store;    ///< how it fills them
+    int group_width = 16;          ///< width of the workgroup, invocations, where `kind` is not `result`
+    int group_height = 16;         ///< height, likewise
+    int from = 0;                  ///< the part's first number from which on the step is there
+    const trait* needed = nullptr; ///< that a part of the effect must need, or the step is not there; null:
+                                   ///< always
+    int times = 1;                 ///< how often it runs, one after the other
+    unsigned level = 0;            ///< mip level that it writes
     bool further_levels = false; ///< whether it runs once for each level from that on, where it reads the one
                                  ///< before by `crease_load_input`
     bool per_view = false;       ///< whether it runs once for each camera

@@ -23,7 +23,7 @@ enum class dialect_kind : unsigned char {
     vulkan,  ///< GLSL 450 for Vulkan 1.1 and up
     opengl,  ///< GLSL 430 for OpenGL 4.3 and up
     glsl_es, ///< GLSL ES 3.00 for WebGL 2 and OpenGL ES 3.0, or 3.10 for OpenGL ES 3.1 and up
-    webgpu   ///< GLSL 450 of whose SPIR-V naga makes WGSL: images without samplers, constants that are fixed
+    webgpu   ///< GLSL 450 of which naga makes WGSL: images without samplers, constants that are fixed
 };
 
 /// How a compute pass covers its output.

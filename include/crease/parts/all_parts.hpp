@@ -13,6 +13,7 @@
 #include <crease/parts/coverage/simple_hash.hpp>
 #include <crease/parts/coverage/stratified.hpp>
 #include <crease/parts/depth/depth_pyramid.hpp>
+#include <crease/parts/depth/dual_peeled_layers.hpp>
 #include <crease/parts/depth/layer_array.hpp>
 #include <crease/parts/depth/linear_lists.hpp>
 #include <crease/parts/depth/linked_lists.hpp>
@@ -20,7 +21,9 @@
 #include <crease/parts/depth/multi_resolution.hpp>
 #include <crease/parts/depth/n_buffer.hpp>
 #include <crease/parts/depth/peeled_layers.hpp>
+#include <crease/parts/depth/separated_layers.hpp>
 #include <crease/parts/depth/single_layer.hpp>
+#include <crease/parts/depth/static_and_dynamic_layers.hpp>
 #include <crease/parts/depth/stochastic_layers.hpp>
 #include <crease/parts/depth/summed_area.hpp>
 #include <crease/parts/depth/summed_area_adaptive.hpp>
@@ -127,6 +130,9 @@ inline constexpr const part* all_parts[] = {
     &linked_lists_part::description,
     &linear_lists_part::description,
     &peeled_layers_part::description,
+    &dual_peeled_layers_part::description,
+    &separated_layers_part::description,
+    &static_and_dynamic_layers_part::description,
     &summed_area_part::description,
     &summed_area_uniform_part::description,
     &summed_area_adaptive_part::description,

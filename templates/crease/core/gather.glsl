@@ -10,6 +10,7 @@ void crease_traverse(inout crease_march march, crease_receiver receiver, crease_
 crease_gathered crease_begin_gathering(crease_receiver receiver);
 crease_march crease_begin_direction(crease_estimate estimate, crease_receiver receiver, vec2 direction);
 void crease_close_direction(inout crease_gathered gathered, crease_march march, crease_receiver receiver, vec2 direction);
+mat2 crease_disk_of(crease_receiver receiver);
 #else
 __LINE__, R"glsl("
 #endif
@@ -25,7 +26,7 @@ crease_fetched crease_fetch_tap(crease_pattern pattern, crease_receiver receiver
 
 // Texels between a tap and its neighbours, were all spread evenly over the disk of the radius.
 float crease_tap_spacing(crease_pattern pattern, crease_receiver receiver, int step) {
-    return sqrt(3.14159265 * abs(determinant(receiver.disk)) / float(crease_direction_count() * crease_step_count()));
+    return sqrt(3.14159265 * abs(determinant(crease_disk_of(receiver))) / float(crease_direction_count() * crease_step_count()));
 }
 
 // Fetches a batch of taps before any is weighed, so that their latencies overlap.

@@ -15,15 +15,18 @@ struct crease_receiver {
     vec3 normal;             // view space, unit
     vec3 to_eye;             // view space, unit
     vec3 tangent, bitangent; // view space, unit: the axes of the disk that faces the eye
-    mat2 disk;               // from offsets on that disk, in AO radii, to texels
+    vec2 disk_x, disk_y;     // texels that an AO radius along these axes takes
 };
 
 crease_receiver crease_make_receiver(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
     vec3 to_eye = crease_to_eye(position), tangent, bitangent;
     crease_axes(to_eye, tangent, bitangent);
-    return crease_receiver(pixel, texel, position, normal, to_eye, tangent, bitangent,
-                           crease_disk(position, tangent, bitangent));
+    mat2 disk = crease_disk(position, tangent, bitangent);
+    return crease_receiver(pixel, texel, position, normal, to_eye, tangent, bitangent, disk[0], disk[1]);
 }
+
+// From offsets on the disk that faces the eye, in AO radii, to texels; naga reads no struct that holds a matrix.
+mat2 crease_disk_of(crease_receiver receiver) { return mat2(receiver.disk_x, receiver.disk_y); }
 #ifdef __cplusplus
 ")glsl"
 #endif

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT-0
-#ifndef __cplusplus
-uint crease_fragment_key();
-#else
+#ifdef __cplusplus
 __LINE__, R"glsl("
 #endif
 
 // Inserts a fragment into the layers of its texel, which stay sorted whatever comes first: each keeps the nearer of two
 // fragments and hands the other on, so that the farthest fall out at the end.
-
-// Called by the host's fragment shader, after its own alpha test. `anchor`: the position on the surface, as other
-// captures take it.
-void crease_capture(vec3 anchor) {
-    uint key = crease_fragment_key();
+void crease_keep_fragment(uint key) {
     for (int i = 0; i < crease_layer_array_layers && key != crease_no_fragment; ++i)
         key = max(key, imageAtomicMin(crease_fragment_layers, ivec3(gl_FragCoord.xy, i), key));
     if (key != crease_no_fragment)

@@ -11,14 +11,14 @@ uint crease_nodes_of(ivec2 texel) { return max(crease_load_list_places(ivec3(tex
 
 void crease_build_line(int line) {
     ivec2 size = crease_size_of_list_places();
-    int pieces = int(gl_WorkGroupSize.y), along = int(gl_LocalInvocationID.y);
+    int pieces = int(crease_group_size.y), along = int(gl_LocalInvocationID.y);
     int share = (size.y + pieces - 1) / pieces;
     int first = min(along * share, size.y);
     int last = line < size.x ? min(first + share, size.y) : first;
     uint nodes = 0u;
     for (int y = first; y < last; ++y)
         nodes += crease_nodes_of(ivec2(line, y));
-    uint end = crease_count_before(nodes, along, pieces, int(gl_WorkGroupSize.x));
+    uint end = crease_count_before(nodes, along, pieces, int(crease_group_size.x));
     for (int y = first; y < last; ++y) {
         end += crease_nodes_of(ivec2(line, y));
         imageStore(crease_list_places, ivec3(line, y, 0), uvec4(end));

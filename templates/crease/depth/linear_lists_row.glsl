@@ -12,7 +12,7 @@ uint crease_nodes_of_column(ivec2 size, int column) {
 
 void crease_build_line(int line) {
     ivec2 size = crease_size_of_list_places();
-    int pieces = int(gl_WorkGroupSize.x), along = int(gl_LocalInvocationID.x);
+    int pieces = int(crease_group_size.x), along = int(gl_LocalInvocationID.x);
     int share = (size.x + pieces - 1) / pieces;
     int first = min(along * share, size.x), last = min(first + share, size.x);
     uint nodes = 0u;

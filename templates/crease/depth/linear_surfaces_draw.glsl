@@ -2,7 +2,7 @@
 #ifndef __cplusplus
 uint crease_fragment_key();
 uint crease_pack_surface_normal(vec3 normal);
-uvec2 crease_list_range(ivec2 texel);
+bool crease_next_node(ivec2 texel, out uint node);
 int crease_own_node(ivec2 texel);
 #else
 __LINE__, R"glsl("
@@ -25,12 +25,9 @@ void crease_capture(vec3 anchor, vec3 normal, vec4 color) {
         crease_list_nodes[crease_own_node(texel)] = fragment;
         return;
     }
-    uvec2 range = crease_list_range(texel);
-    uint node = range.x + imageAtomicAdd(crease_list_places, ivec3(texel, 1), 1u);
-    if (node < min(range.y, uint(crease_list_nodes.length())))
+    uint node;
+    if (crease_next_node(texel, node))
         crease_list_nodes[node] = fragment;
-    else
-        atomicAdd(crease_fragments_beyond_pool[0], 1u);
 }
 #ifdef __cplusplus
 ")glsl"

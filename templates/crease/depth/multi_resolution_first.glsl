@@ -10,7 +10,7 @@ __LINE__, R"glsl("
 #endif
 
 // The picture of half the size, of the depth image.
-uvec4 crease_surface_at(ivec2 at) {
+uvec4 crease_multi_resolution_texel(ivec2 at) {
     vec2 texel = min(vec2(at), crease_depth_size() - 1.0);
     float depth = crease_depth_at(texel);
     bool there = depth > 0.0 && depth < crease_background;
@@ -21,8 +21,9 @@ uvec4 crease_surface_at(ivec2 at) {
 void crease_build(ivec2 texel) {
     ivec2 first = 2 * texel;
     imageStore(crease_resolutions, texel,
-               crease_halved(crease_surface_at(first), crease_surface_at(first + ivec2(1, 0)),
-                             crease_surface_at(first + ivec2(0, 1)), crease_surface_at(first + ivec2(1, 1))));
+               crease_halved(crease_multi_resolution_texel(first), crease_multi_resolution_texel(first + ivec2(1, 0)),
+                             crease_multi_resolution_texel(first + ivec2(0, 1)),
+                             crease_multi_resolution_texel(first + ivec2(1, 1))));
 }
 #ifdef __cplusplus
 ")glsl"

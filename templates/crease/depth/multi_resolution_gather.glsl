@@ -3,14 +3,17 @@
 int crease_resolution();
 vec3 crease_multi_resolution_normal(uint word);
 uint crease_load_coarser(ivec2 texel, int level);
+mat2 crease_disk_of(crease_receiver receiver);
 #else
 __LINE__, R"glsl("
 #endif
 
 // In each resolution taps reach as far as a few of its texels, at most the radius.
 crease_receiver crease_with_reach(crease_receiver receiver) {
-    float texels = sqrt(abs(determinant(receiver.disk))); // of the radius
-    receiver.disk *= min(1.0, float(crease_multi_resolution_reach << crease_resolution()) / texels);
+    float texels = sqrt(abs(determinant(crease_disk_of(receiver)))); // of the radius
+    float share = min(1.0, float(crease_multi_resolution_reach << crease_resolution()) / texels);
+    receiver.disk_x *= share;
+    receiver.disk_y *= share;
     return receiver;
 }
 

@@ -6,7 +6,7 @@ uint crease_multi_resolution_pack(vec3 normal);
 __LINE__, R"glsl("
 #endif
 
-// A texel of a smaller picture, of four: view-space position, as bits, and packed normal.
+// The nearer of two first.
 void crease_multi_resolution_order(inout uvec4 a, inout uvec4 b) {
     if (uintBitsToFloat(a.z) < uintBitsToFloat(b.z)) {
         uvec4 farther = a;
@@ -15,7 +15,8 @@ void crease_multi_resolution_order(inout uvec4 a, inout uvec4 b) {
     }
 }
 
-// Of four that are near each other in depth the mean of the middle two, else the second nearest: Hoang and Low 2010.
+// A texel of a smaller picture, of four: view-space position, as bits, and packed normal. Of four that are near each other
+// in depth the mean of the middle two, else the second nearest: Hoang and Low 2010.
 uvec4 crease_halved(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {
     crease_multi_resolution_order(a, b);
     crease_multi_resolution_order(c, d);

@@ -11,14 +11,14 @@ __LINE__, R"glsl("
 
 // The range of depth of each column of the picture.
 void crease_build_line(int line) {
-    int along = int(gl_LocalInvocationID.y), count = int(gl_WorkGroupSize.y);
+    int along = int(gl_LocalInvocationID.y), count = int(crease_group_size.y);
     vec4 own = crease_range_empty();
     for (int y = along; y < int(crease_view.resolution.y); y += count) {
         float depth = crease_area_depth(crease_depth_at(crease_texel_of_pixel(ivec2(line, y), 1)));
         if (depth > 0.0)
             own = crease_range_join(own, vec4(depth, depth, depth, 1.0));
     }
-    own = crease_range_join_all(own, along, count, int(gl_WorkGroupSize.x));
+    own = crease_range_join_all(own, along, count, int(crease_group_size.x));
     if (along == 0 && line < imageSize(crease_range_of_columns).x)
         imageStore(crease_range_of_columns, ivec2(line, 0), own);
 }

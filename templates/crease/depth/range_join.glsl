@@ -4,7 +4,7 @@ __LINE__, R"glsl("
 #endif
 
 // Ranges of depth: nearest, farthest, sum and count.
-shared vec4 crease_range_ranges[gl_WorkGroupSize.x * gl_WorkGroupSize.y];
+shared vec4 crease_range_ranges[crease_group_size.x * crease_group_size.y];
 
 vec4 crease_range_empty() { return vec4(crease_background, 0.0, 0.0, 0.0); }
 

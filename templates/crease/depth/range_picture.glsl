@@ -9,7 +9,7 @@ __LINE__, R"glsl("
 
 // The range of depth of the picture, and its mean, out of those of its columns.
 void crease_build_line(int line) {
-    int along = int(gl_LocalInvocationID.x), count = int(gl_WorkGroupSize.x);
+    int along = int(gl_LocalInvocationID.x), count = int(crease_group_size.x);
     vec4 own = crease_range_empty();
     for (int x = along; x < int(crease_view.resolution.x); x += count)
         own = crease_range_join(own, crease_load_range_of_columns(ivec2(x, 0)));

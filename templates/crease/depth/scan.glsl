@@ -27,8 +27,8 @@ void crease_build_line(int line) {
     ivec2 step = down ? ivec2(0, 1) : ivec2(1, 0), start = line * step.yx;
     int length = down ? size.y : size.x;
     int along = int(down ? gl_LocalInvocationID.y : gl_LocalInvocationID.x);
-    int pieces = int(down ? gl_WorkGroupSize.y : gl_WorkGroupSize.x);
-    int stride = down ? int(gl_WorkGroupSize.x) : 1;
+    int pieces = int(down ? crease_group_size.y : crease_group_size.x);
+    int stride = down ? int(crease_group_size.x) : 1;
     int share = (length + pieces - 1) / pieces;
     int first = min(along * share, length);
     int last = line < (down ? size.x : size.y) ? min(first + share, length) : first;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
 float crease_depth_rounding(float depth);
+float crease_eye_side(crease_receiver receiver);
+float crease_layer_before(crease_receiver receiver, crease_layer layer);
 float crease_volume_reach(float before, float falloff);
 float crease_volume_occlusion(float filled, float whole);
 #else
@@ -33,9 +35,10 @@ crease_march crease_begin_direction(crease_estimate estimate, crease_receiver re
 }
 
 crease_contribution crease_weigh(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer layer) {
-    float before = layer.position.z - receiver.position.z;
+    float before = crease_layer_before(receiver, layer);
+    float end = crease_eye_side(receiver) > 0.0 ? tap.far : -tap.near; // that is farther from the eye
     float whole = max(tap.far - tap.near, 0.0);
-    float filled = clamp(tap.far + before - march.rounding, 0.0, whole);
+    float filled = clamp(end + before - march.rounding, 0.0, whole);
     float weight = tap.inside ? tap.weight : 0.0;
     float reach = crease_volume_reach(before, crease_line_volume_falloff);
     return crease_contribution(weight * (filled - tap.under) * reach, weight * (whole - tap.under));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
 float crease_depth_rounding(float depth);
+float crease_eye_side(crease_receiver receiver);
+float crease_layer_before(crease_receiver receiver, crease_layer layer);
 float crease_point_bias(crease_receiver receiver, float bias);
 float crease_volume_reach(float before, float falloff);
 float crease_volume_occlusion(float filled, float whole);
@@ -37,10 +39,10 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
     float height = dot(tap.offset, receiver.normal);
     if (!tap.inside || abs(height) <= crease_point_bias(receiver, crease_point_volume_bias))
         return crease_contribution(0.0, 0.0);
-    float before = layer.position.z - receiver.position.z;
+    float before = crease_layer_before(receiver, layer);
     float under = height < 0.0 ? 1.0 : 0.0;
     float margin = height < 0.0 ? -march.rounding : march.rounding;
-    float filled = before - margin > tap.offset.z ? 1.0 : 0.0;
+    float filled = before - margin > crease_eye_side(receiver) * tap.offset.z ? 1.0 : 0.0;
     float reach = crease_volume_reach(before, crease_point_volume_falloff);
     return crease_contribution((filled - under) * reach, 1.0 - under);
 }

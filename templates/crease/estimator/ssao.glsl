@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
 float crease_depth_rounding(float depth);
+float crease_eye_side(crease_receiver receiver);
+float crease_layer_before(crease_receiver receiver, crease_layer layer);
 float crease_point_bias(crease_receiver receiver, float bias);
 #else
 __LINE__, R"glsl("
@@ -48,10 +50,10 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
         return crease_ssao_contribution(tap, 0.0, 0.0, 0.0);
     if (!tap.inside)
         return crease_ssao_contribution(tap, 0.0, 0.0, 1.0);
-    float before = layer.position.z - receiver.position.z;
+    float before = crease_layer_before(receiver, layer);
     // Of layers that do not occlude, the tiny negative numbers make one behind the point win over one that is out of
     // range, and either over background, where layers are combined by the greater occlusion.
-    if (before - march.rounding < tap.offset.z) {
+    if (before - march.rounding < crease_eye_side(receiver) * tap.offset.z) {
         float nothing = layer.position.z > -0.5 * crease_background ? 0.0 : -2e-6;
         return crease_ssao_contribution(tap, nothing, 1.0, 1.0 - nothing);
     }

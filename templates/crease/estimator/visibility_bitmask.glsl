@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
 vec3 crease_to_eye(vec3 position);
+float crease_eye_side(crease_receiver receiver);
 float crease_slice_weight(float share);
 int crease_bit_count(uint bits);
 float crease_half_slice_measure(vec2 normal, float cosine);
@@ -46,7 +47,8 @@ uint crease_visibility_bitmask_from(crease_march march, crease_receiver receiver
 
 // What of a layer is in the sphere of the radius.
 crease_contribution crease_weigh(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer layer) {
-    vec3 to_layer = layer.position - receiver.position, back = -crease_to_eye(layer.position);
+    vec3 to_layer = layer.position - receiver.position;
+    vec3 back = -crease_eye_side(receiver) * crease_to_eye(layer.position);
     float middle = -dot(to_layer, back); // of the sphere, from the front back
     float apart = dot(to_layer, to_layer);
     float inside = sqrt(max(crease_radius * crease_radius - apart + middle * middle, 0.0));

@@ -8,7 +8,7 @@ __LINE__, R"glsl("
 // [0, 1) evenly.
 vec3 crease_noise(ivec2 pixel) {
     const uint side = uint(crease_tiled_noise_side);
-    uvec2 within = uvec2(pixel) % side;
+    uvec2 within = uvec2(pixel) % uvec2(side);
     uint place = (crease_frame * side + within.y) * side + within.x;
     uvec3 share = place * uvec3(2654435769u, 1779033703u, 3144134277u) + 2147483648u; // fractions of 2^32
     return vec3(share >> 8u) * (1.0 / 16777216.0);

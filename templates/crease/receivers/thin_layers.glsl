@@ -7,6 +7,14 @@ crease_result crease_sum(crease_result a, crease_result b);
 __LINE__, R"glsl("
 #endif
 
+float crease_eye_side(crease_receiver receiver) { return sign(receiver.to_eye.z); }
+
+// Background is behind all, whichever side looks.
+float crease_layer_before(crease_receiver receiver, crease_layer layer) {
+    float before = layer.position.z - receiver.position.z;
+    return layer.position.z > -0.5 * crease_background ? crease_eye_side(receiver) * before : before;
+}
+
 // Of a thin hull both sides, the exterior and the interior: a-buffer-ssao 2013, equations (2) to (4). W is the opacity where
 // a front face is seen, and 1 less that where a back face is: either way the side that is seen counts by the opacity. The
 // other is that side of a receiver which is looked at from behind.

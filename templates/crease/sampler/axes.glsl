@@ -20,9 +20,9 @@ int crease_step_count() { return crease_axes_steps; }
 vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver receiver, int direction) {
     float side = direction % 2 == 0 ? 1.0 : -1.0;
     pattern.axis = direction < 2 ? vec2(side, 0.0) : vec2(0.0, side);
-    float area = determinant(receiver.disk);
-    vec2 along = vec2(receiver.disk[1].y * pattern.axis.x - receiver.disk[1].x * pattern.axis.y,
-                      receiver.disk[0].x * pattern.axis.y - receiver.disk[0].y * pattern.axis.x);
+    float area = receiver.disk_x.x * receiver.disk_y.y - receiver.disk_x.y * receiver.disk_y.x;
+    vec2 along = vec2(receiver.disk_y.y * pattern.axis.x - receiver.disk_y.x * pattern.axis.y,
+                      receiver.disk_x.x * pattern.axis.y - receiver.disk_x.y * pattern.axis.x);
     float inverse_size = inversesqrt(max(dot(along, along), 1e-30));
     pattern.radius = abs(area) * inverse_size;
     pattern.stride = max(min(pattern.radius, float(crease_axes_reach)) / float(crease_axes_steps), 1.0);

@@ -2,6 +2,7 @@
 #ifndef __cplusplus
 vec3 crease_noise(ivec2 pixel);
 float crease_share_inside(vec2 from, vec2 way);
+mat2 crease_disk_of(crease_receiver receiver);
 #else
 __LINE__, R"glsl("
 #endif
@@ -24,8 +25,8 @@ crease_pattern crease_pattern_begin(crease_receiver receiver) {
     float angle = noise.x * crease_directions_angle();
     // A texel in the root mean square over all directions is at least 1 / sqrt(2) of a texel in each, so no tap falls
     // on the receiver itself.
-    float texels = abs(determinant(receiver.disk)) *
-        inversesqrt(0.5 * (dot(receiver.disk[0], receiver.disk[0]) + dot(receiver.disk[1], receiver.disk[1])));
+    float texels = abs(determinant(crease_disk_of(receiver))) *
+        inversesqrt(0.5 * (dot(receiver.disk_x, receiver.disk_x) + dot(receiver.disk_y, receiver.disk_y)));
     return crease_pattern(vec2(cos(angle), sin(angle)), vec2(0.0), vec2(0.0), 1.0, noise.y, 1.0 / texels);
 }
 
@@ -41,7 +42,7 @@ vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver rece
                                  : vec2(turn.x * pattern.direction.x - turn.y * pattern.direction.y,
                                         turn.y * pattern.direction.x + turn.x * pattern.direction.y);
     pattern.offset = fract(pattern.offset + 0.61803399); // another first step in each direction
-    vec2 radius = receiver.disk * pattern.direction;
+    vec2 radius = crease_disk_of(receiver) * pattern.direction;
     pattern.first = receiver.texel + 0.5 + radius * pattern.nearest;
     pattern.share = crease_share_inside(pattern.first, radius);
     pattern.march = radius * (pattern.share * pow(float(crease_directions_steps), -float(crease_directions_power)));

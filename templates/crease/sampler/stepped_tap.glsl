@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT-0
-#ifdef __cplusplus
+#ifndef __cplusplus
+mat2 crease_disk_of(crease_receiver receiver);
+#else
 __LINE__, R"glsl("
 #endif
 
@@ -14,9 +16,9 @@ struct crease_stepped_march {
 };
 
 crease_stepped_march crease_stepped_march_begin(crease_receiver receiver, vec2 direction, float offset) {
-    vec2 radius = receiver.disk * direction;
+    vec2 radius = crease_disk_of(receiver) * direction;
     vec2 texel = radius * inversesqrt(max(dot(radius, radius), 1e-20));
-    vec2 line = receiver.disk * vec2(-direction.y, direction.x), ahead = vec2(line.y, -line.x);
+    vec2 line = crease_disk_of(receiver) * vec2(-direction.y, direction.x), ahead = vec2(line.y, -line.x);
     ahead *= inversesqrt(max(dot(line, line), 1e-20)) * sign(dot(ahead, radius));
     return crease_stepped_march(receiver.texel, receiver.texel + 0.5 + texel, radius, ahead,
                                 max(offset, 1e-4)); // gaps are shares of it

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
 float crease_share_inside(vec2 from, vec2 way);
+mat2 crease_disk_of(crease_receiver receiver);
 #else
 __LINE__, R"glsl("
 #endif
@@ -24,7 +25,7 @@ vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver rece
 }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
-    vec2 way = receiver.disk * vec2(crease_tap_grid_place(step), pattern.row);
+    vec2 way = crease_disk_of(receiver) * vec2(crease_tap_grid_place(step), pattern.row);
     float share = crease_share_inside(receiver.texel + 0.5, way);
     // What is cut at the picture's far edge ends between its last texel and none.
     vec2 texel = clamp(floor(receiver.texel + 0.5 + way * share), vec2(0.0), crease_depth_size() - 1.0);

@@ -5,8 +5,8 @@ __LINE__, R"glsl("
 
 // A scan by subgroup operations: the sums of all lines are laid out one after another in shared memory, and each
 // subgroup, all of which are full, scans its share of them: several lines, one by one, or a part of one.
-shared vec4 crease_scan_sums[gl_WorkGroupSize.x * gl_WorkGroupSize.y];
-shared vec4 crease_scan_shares[gl_WorkGroupSize.x * gl_WorkGroupSize.y]; // of each subgroup
+shared vec4 crease_scan_sums[crease_group_size.x * crease_group_size.y];
+shared vec4 crease_scan_shares[crease_group_size.x * crease_group_size.y]; // of each subgroup
 
 // The sum of `own` of all invocations of the line before this one; `stride` is from one to the next in the workgroup.
 vec4 crease_scan_before(vec4 own, int along, int pieces, int stride) {

@@ -4,7 +4,7 @@ __LINE__, R"glsl("
 #endif
 
 // Up-sweep and down-sweep through shared memory: statistical-volumetric-obscurance 3.4, figure 3.6, and A.1.
-shared vec4 crease_scan_sums[gl_WorkGroupSize.x * gl_WorkGroupSize.y];
+shared vec4 crease_scan_sums[crease_group_size.x * crease_group_size.y];
 
 const int crease_scan_levels = 10; // of the largest workgroup
 

@@ -9,8 +9,8 @@ __LINE__, R"glsl("
 
 // What a workgroup keeps in shared memory: the texels of its pixels with an apron along their rows, and once more with
 // one along their columns.
-const int crease_strips_width = int(gl_WorkGroupSize.x) * crease_divisor; // texels that the pixels stand for
-const int crease_strips_height = int(gl_WorkGroupSize.y) * crease_divisor;
+const int crease_strips_width = int(crease_group_size.x) * crease_divisor; // texels that the pixels stand for
+const int crease_strips_height = int(crease_group_size.y) * crease_divisor;
 const int crease_strips_row = crease_strips_width + 2 * crease_compute_strips_apron; // texels
 const int crease_strips_column = crease_strips_height + 2 * crease_compute_strips_apron;
 const int crease_strips_in_rows = crease_strips_row * crease_strips_height;
@@ -18,7 +18,7 @@ const int crease_strips_texels = crease_strips_in_rows + crease_strips_column * 
 
 // The first texel that the pixels of the workgroup stand for.
 vec2 crease_strips_first() {
-    return vec2(gl_WorkGroupID.xy * gl_WorkGroupSize.xy) * float(crease_divisor) + crease_view.guard;
+    return vec2(gl_WorkGroupID.xy * crease_group_size.xy) * float(crease_divisor) + crease_view.guard;
 }
 
 // The texel that is kept at a place; beside the depth image the nearest one that there is.
@@ -49,7 +49,7 @@ int crease_strips_place(vec2 texel) {
 
 // All invocations keep texels and wait, those beside the picture too.
 void main() {
-    int stride = int(gl_WorkGroupSize.x * gl_WorkGroupSize.y);
+    int stride = int(crease_group_size.x * crease_group_size.y);
     for (int place = int(gl_LocalInvocationIndex); place < crease_strips_texels; place += stride)
         crease_keep_in_strips(place, crease_strips_texel(place));
     barrier();

@@ -275,6 +275,16 @@ TEST_CASE("a step is there from a number of its part on") {
     }
 }
 
+TEST_CASE("a step is there where a part of the effect needs its trait") {
+    const auto count = [](const std::string& recipe) {
+        return std::ranges::count(planned(recipe).passes, std::string_view("capture_surfaces"),
+                                  [](const planned_pass& each) { return each.what->name; });
+    };
+    CHECK(count("directions/layer_array/hbao") == 0);
+    CHECK(count("directions/layer_array/hbao/every_layer") == 1);
+    CHECK(count("directions/linked_lists/hbao/every_layer") == 0);
+}
+
 TEST_CASE("settings of one name are one where both parts share it, and two where not") {
     constexpr setting sharpness[] = {{"sharpness", 1, 0, 2, "of its own"}};
     const part noise{.kind = role::noise, .name = "own", .summary = "", .source = "", .settings = sharpness};

@@ -228,7 +228,7 @@ TEST_CASE("all identifiers of crease's GLSL have different symbols") {
     for (const char* name :
          {"crease_given", "crease_radius", "crease_frame", "crease_view_index", "crease_divisor",
           "crease_input_divisor", "crease_workgroup_columns", "crease_unroll", "crease_write",
-          "crease_build_size", "crease_load_input", "crease_size_of_input", "main"})
+          "crease_build_size", "crease_group_size", "crease_load_input", "crease_size_of_input", "main"})
         learn(name);
     CHECK(known.size() > 300);
 }

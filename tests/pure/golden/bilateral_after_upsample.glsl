@@ -92,7 +92,8 @@ crease_result crease_evaluate(ivec2 pixel) {
     vec2 axis = vec2(step);
     ivec2 last = crease_size(crease_divisor) - 1;
     // All are fetched before any is weighed, so that the waits overlap.
-    uvec4 texels_before[crease_bilateral_radius], texels_after[crease_bilateral_radius];
+    uvec4 texels_before[crease_bilateral_radius];
+    uvec4 texels_after[crease_bilateral_radius];
     crease_result own = crease_decode(crease_load_input(pixel));
     for (int i = 0; i < crease_bilateral_radius; ++i) {
         texels_before[i] = crease_load_input(max(pixel - step * (i + 1), ivec2(0)));

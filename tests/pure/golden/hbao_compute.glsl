@@ -90,7 +90,7 @@ struct crease_receiver {
     vec3 normal;             // view space, unit
     vec3 to_eye;             // view space, unit
     vec3 tangent, bitangent; // view space, unit: the axes of the disk that faces the eye
-    mat2 disk;               // from offsets on that disk, in AO radii, to texels
+    vec2 disk_x, disk_y;     // texels that an AO radius along these axes takes
 };
 
 // Horizons: stochastic-depth-ao, Algorithm 2, with the threshold of 4.4. The Z axis of the paper's figure 4.5 is the
@@ -150,13 +150,16 @@ vec3 crease_noise(ivec2 pixel) {
 
 float crease_directions_angle() { return 6.28318531 / float(crease_directions_count); }
 
+// From offsets on the disk that faces the eye, in AO radii, to texels; naga reads no struct that holds a matrix.
+mat2 crease_disk_of(crease_receiver receiver) { return mat2(receiver.disk_x, receiver.disk_y); }
+
 crease_pattern crease_pattern_begin(crease_receiver receiver) {
     vec2 noise = crease_noise(receiver.pixel).xy;
     float angle = noise.x * crease_directions_angle();
     // A texel in the root mean square over all directions is at least 1 / sqrt(2) of a texel in each, so no tap falls
     // on the receiver itself.
-    float texels = abs(determinant(receiver.disk)) *
-        inversesqrt(0.5 * (dot(receiver.disk[0], receiver.disk[0]) + dot(receiver.disk[1], receiver.disk[1])));
+    float texels = abs(determinant(crease_disk_of(receiver))) *
+        inversesqrt(0.5 * (dot(receiver.disk_x, receiver.disk_x) + dot(receiver.disk_y, receiver.disk_y)));
     return crease_pattern(vec2(cos(angle), sin(angle)), vec2(0.0), vec2(0.0), 1.0, noise.y, 1.0 / texels);
 }
 
@@ -197,7 +200,7 @@ vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver rece
                                  : vec2(turn.x * pattern.direction.x - turn.y * pattern.direction.y,
                                         turn.y * pattern.direction.x + turn.x * pattern.direction.y);
     pattern.offset = fract(pattern.offset + 0.61803399); // another first step in each direction
-    vec2 radius = receiver.disk * pattern.direction;
+    vec2 radius = crease_disk_of(receiver) * pattern.direction;
     pattern.first = receiver.texel + 0.5 + radius * pattern.nearest;
     pattern.share = crease_share_inside(pattern.first, radius);
     pattern.march = radius * (pattern.share * pow(float(crease_directions_steps), -float(crease_directions_power)));
@@ -395,8 +398,8 @@ mat2 crease_disk(vec3 position, vec3 tangent, vec3 bitangent) {
 crease_receiver crease_make_receiver(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
     vec3 to_eye = crease_to_eye(position), tangent, bitangent;
     crease_axes(to_eye, tangent, bitangent);
-    return crease_receiver(pixel, texel, position, normal, to_eye, tangent, bitangent,
-                           crease_disk(position, tangent, bitangent));
+    mat2 disk = crease_disk(position, tangent, bitangent);
+    return crease_receiver(pixel, texel, position, normal, to_eye, tangent, bitangent, disk[0], disk[1]);
 }
 
 // A normal of any length as one of unit length; what has no direction counts as facing the eye.

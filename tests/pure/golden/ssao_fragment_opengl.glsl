@@ -83,7 +83,7 @@ struct crease_receiver {
     vec3 normal;             // view space, unit
     vec3 to_eye;             // view space, unit
     vec3 tangent, bitangent; // view space, unit: the axes of the disk that faces the eye
-    mat2 disk;               // from offsets on that disk, in AO radii, to texels
+    vec2 disk_x, disk_y;     // texels that an AO radius along these axes takes
 };
 
 // Range-checked points: stochastic-depth-ao, Algorithm 1. Geometry further than the radius is ignored, as 4.1 says; the
@@ -134,13 +134,16 @@ vec3 crease_noise(ivec2 pixel) {
     return vec3(crease_hashed_noise_mix(uvec3(uvec2(pixel), crease_frame)) >> 8u) * (1.0 / 16777216.0);
 }
 
+// From offsets on the disk that faces the eye, in AO radii, to texels; naga reads no struct that holds a matrix.
+mat2 crease_disk_of(crease_receiver receiver) { return mat2(receiver.disk_x, receiver.disk_y); }
+
 // Size of the depth image in texels, guard band included.
 vec2 crease_depth_size() { return crease_view.resolution + 2.0 * crease_view.guard; }
 
 // The radius in which a sampler looks for points: no larger than half the picture's diagonal at the receiver's depth,
 // so that a radius that is larger than the picture still finds what is there.
 float crease_radius_inside(crease_receiver receiver) {
-    float texels = sqrt(abs(determinant(receiver.disk))); // of the radius
+    float texels = sqrt(abs(determinant(crease_disk_of(receiver)))); // of the radius
     return crease_radius * min(1.0, 0.5 * length(crease_depth_size()) / texels);
 }
 
@@ -285,6 +288,14 @@ crease_contribution crease_ssao_contribution(crease_tap tap, float occlusion, fl
     return crease_contribution(occlusion, points, open, openness);
 }
 
+// How much nearer to the eye a layer is than the receiver, in depth.
+float crease_layer_before(crease_receiver receiver, crease_layer layer) {
+    return layer.position.z - receiver.position.z;
+}
+
+// 1, or -1 where the receiver is looked at from behind.
+float crease_eye_side(crease_receiver receiver) { return 1.0; }
+
 crease_contribution crease_weigh(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer layer) {
     // A point close to the tangent plane says nothing. One beside the picture counts as open for the bent normal, as
     // leaving it out would turn the cone to the picture's middle.
@@ -292,10 +303,10 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
         return crease_ssao_contribution(tap, 0.0, 0.0, 0.0);
     if (!tap.inside)
         return crease_ssao_contribution(tap, 0.0, 0.0, 1.0);
-    float before = layer.position.z - receiver.position.z;
+    float before = crease_layer_before(receiver, layer);
     // Of layers that do not occlude, the tiny negative numbers make one behind the point win over one that is out of
     // range, and either over background, where layers are combined by the greater occlusion.
-    if (before - march.rounding < tap.offset.z) {
+    if (before - march.rounding < crease_eye_side(receiver) * tap.offset.z) {
         float nothing = layer.position.z > -0.5 * crease_background ? 0.0 : -2e-6;
         return crease_ssao_contribution(tap, nothing, 1.0, 1.0 - nothing);
     }
@@ -389,8 +400,8 @@ mat2 crease_disk(vec3 position, vec3 tangent, vec3 bitangent) {
 crease_receiver crease_make_receiver(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
     vec3 to_eye = crease_to_eye(position), tangent, bitangent;
     crease_axes(to_eye, tangent, bitangent);
-    return crease_receiver(pixel, texel, position, normal, to_eye, tangent, bitangent,
-                           crease_disk(position, tangent, bitangent));
+    mat2 disk = crease_disk(position, tangent, bitangent);
+    return crease_receiver(pixel, texel, position, normal, to_eye, tangent, bitangent, disk[0], disk[1]);
 }
 
 // The normal of the plane through the receiver and two neighbours: of left and right, and of up and down, the one that

@@ -15,6 +15,11 @@ inline constexpr glsl_file fragment_key_glsl{
 #include <crease/depth/fragment_key.glsl>
 };
 
+inline constexpr glsl_file capture_fragment_glsl{
+    "depth/capture_fragment.glsl",
+#include <crease/depth/capture_fragment.glsl>
+};
+
 inline constexpr glsl_file insert_fragment_glsl{
     "depth/insert_fragment.glsl",
 #include <crease/depth/insert_fragment.glsl>
@@ -87,6 +92,7 @@ inline constexpr resource fragments_beyond_pool =
 
 /// The names of what a geometry pass or a packing pass fills, the image first.
 /// @{
+inline constexpr std::string_view fills_fragment_layers[] = {"fragment_layers"};
 inline constexpr std::string_view fills_packed_layers[] = {"packed_layers"};
 inline constexpr std::string_view fills_packed_layers_counting[] = {"packed_layers",
                                                                     "fragments_beyond_layers"};

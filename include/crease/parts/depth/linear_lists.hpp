@@ -36,6 +36,11 @@ inline constexpr glsl_file linear_lists_range_glsl{
 #include <crease/depth/linear_lists_range.glsl>
 };
 
+inline constexpr glsl_file linear_lists_next_glsl{
+    "depth/linear_lists_next.glsl",
+#include <crease/depth/linear_lists_next.glsl>
+};
+
 inline constexpr glsl_file linear_lists_draw_glsl{
     "depth/linear_lists_draw.glsl",
 #include <crease/depth/linear_lists_draw.glsl>
@@ -119,15 +124,16 @@ struct linear_lists_part {
     static constexpr const glsl_file* counting[] = {&linear_lists_count_glsl};
     static constexpr const glsl_file* column_files[] = {&linear_lists_columns_glsl, &count_before_glsl};
     static constexpr const glsl_file* row_files[] = {&linear_lists_row_glsl, &count_before_glsl};
-    static constexpr const glsl_file* drawing[] = {&linear_lists_draw_glsl, &linear_lists_range_glsl,
-                                                   &fragment_key_glsl, &fragments_glsl};
+    static constexpr const glsl_file* drawing[] = {&linear_lists_draw_glsl, &linear_lists_next_glsl,
+                                                   &linear_lists_range_glsl, &fragment_key_glsl,
+                                                   &fragments_glsl};
     static constexpr const glsl_file* packing[] = {&pack_fragments_glsl, &linear_lists_sort_glsl,
                                                    &linear_lists_range_glsl, &insert_fragment_glsl,
                                                    &fragments_glsl};
     static constexpr const glsl_file* counting_surfaces[] = {&linear_surfaces_count_glsl, &fragment_key_glsl};
     static constexpr const glsl_file* drawing_surfaces[] = {
-        &linear_surfaces_draw_glsl, &linear_surfaces_range_glsl, &encoding_surface_normal_glsl,
-        &encoding_octahedron_glsl};
+        &linear_surfaces_draw_glsl, &linear_lists_next_glsl, &linear_surfaces_range_glsl,
+        &encoding_surface_normal_glsl, &encoding_octahedron_glsl};
     static constexpr const glsl_file* packing_surfaces[] = {&pack_surfaces_glsl, &linear_surfaces_sort_glsl,
                                                             &linear_surfaces_range_glsl,
                                                             &surface_fragments_glsl};
@@ -167,15 +173,13 @@ struct linear_lists_part {
                                        .writes = fills_surfaces_counting,
                                        .how = access::modify}};
     static constexpr const glsl_file* files[] = {&linear_lists_glsl, &sided_layers_glsl, &packed_layers_glsl};
-    static constexpr files_where more[] = {{&layers_with_opacity::value, surface_files},
-                                           {&layers_in_strips::value, packed_layers_strips}};
     static constexpr part description{
         .kind = role::depth_source,
         .name = "linear_lists",
         .summary = "all fragments in a bounded pool, those of a texel side by side; the nearest are sorted",
         .source = "a-buffer-ssao 2013, IV.B",
         .files = files,
-        .widened = more,
+        .widened = packed_sources_widened,
         .numbers = takes,
         .resources = owns,
         .steps = passes,

@@ -96,15 +96,13 @@ struct linked_lists_part {
                                        .writes = fills_surfaces_counting,
                                        .how = access::modify}};
     static constexpr const glsl_file* files[] = {&linked_lists_glsl, &sided_layers_glsl, &packed_layers_glsl};
-    static constexpr files_where more[] = {{&layers_with_opacity::value, surface_files},
-                                           {&layers_in_strips::value, packed_layers_strips}};
     static constexpr part description{
         .kind = role::depth_source,
         .name = "linked_lists",
         .summary = "all fragments in lists of a bounded pool, of which the nearest of each texel are sorted",
         .source = "a-buffer-ssao 2013, IV.A",
         .files = files,
-        .widened = more,
+        .widened = packed_sources_widened,
         .numbers = takes,
         .resources = owns,
         .steps = passes,

@@ -28,14 +28,13 @@ struct stochastic_layers_part {
                                        .writes = filled,
                                        .per_view = true}};
     static constexpr const glsl_file* files[] = {&stochastic_layers_glsl, &packed_layers_glsl};
-    static constexpr files_where more[] = {{&layers_in_strips::value, packed_layers_strips}};
     static constexpr part description{
         .kind = role::depth_source,
         .name = "stochastic_layers",
         .summary = "layers behind the first, kept at random as if all surfaces were transparent",
         .source = "stochastic-depth-ao 2020, ch. 5 and 6, Algorithms 4 to 9",
         .files = files,
-        .widened = more,
+        .widened = packed_layers_widened,
         .numbers = takes,
         .resources = packed,
         .steps = passes,

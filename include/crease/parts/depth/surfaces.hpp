@@ -4,11 +4,13 @@
 #include <crease/parts/depth/fragments.hpp>
 #include <crease/parts/output/octahedron.hpp>
 
+#include <iterator>
+
 namespace crease {
 
-// Sources of lists where layers_with_opacity is needed: what they share beside sorting and fetching their own
-// fragments, `crease_fragments crease_sorted_fragments(ivec2 texel)` and
-// `uvec2 crease_fragment_surface(ivec2 texel, uint place)`.
+// Sources where layers_with_opacity is needed: what they share beside sorting and fetching their own
+// fragments, `crease_fragments crease_sorted_fragments(ivec2 texel)` and `uvec2 crease_fragment_surface(ivec2
+// texel, uint place)`.
 
 inline constexpr glsl_file encoding_surface_normal_glsl{
     "encoding/surface_normal.glsl",
@@ -92,14 +94,22 @@ inline constexpr resource compressed_normals{.name = "compressed_normals",
                                              .read = access::load,
                                              .shape = shape_compressed_normals};
 
-/// What the packing pass of a source of lists fills, with or without surfaces, compressed or not.
+/// What the packing pass of a source fills, with or without surfaces, compressed or not.
 inline constexpr std::string_view fills_surfaces_counting[] = {
     "packed_layers",     "packed_opacities",   "layer_surfaces",
     "compressed_layers", "compressed_normals", "fragments_beyond_layers"};
+
+/// The same of a source that counts nothing there.
+inline constexpr array_view<const std::string_view> fills_surfaces(fills_surfaces_counting,
+                                                                   std::size(fills_surfaces_counting) - 1);
 
 /// The GLSL of such a source for all passes.
 inline constexpr const glsl_file* surface_files[] = {&layers_with_opacity_glsl, &surface_layers_glsl,
                                                      &pack_whole_lists_glsl, &encoding_surface_normal_glsl,
                                                      &encoding_octahedron_glsl};
+
+/// What stands before the files of a source that packs its layers, with or without opacity.
+inline constexpr files_where packed_sources_widened[] = {{&layers_with_opacity::value, surface_files},
+                                                         {&layers_in_strips::value, packed_layers_strips}};
 
 }

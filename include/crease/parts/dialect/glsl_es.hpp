@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <crease/parts/stage/stages.hpp>
+#include <crease/parts/dialect/dialects.hpp>
 
 namespace crease {
-
-inline constexpr glsl_file glsl_es_glsl{
-    "dialect/glsl_es.glsl",
-#include <crease/dialect/glsl_es.glsl>
-};
 
 inline constexpr glsl_file glsl_es_300_glsl{
     "dialect/glsl_es_300.glsl",
@@ -18,7 +13,7 @@ inline constexpr glsl_file glsl_es_300_glsl{
 struct glsl_es_part {
     static constexpr number takes[] = {
         {"version", 300, 310, 310, "300 for WebGL 2 and OpenGL ES 3.0, 310 for OpenGL ES 3.1 and up"}};
-    static constexpr const glsl_file* files[] = {&glsl_es_glsl};
+    static constexpr const glsl_file* files[] = {&view_set_in_main_glsl};
     static constexpr part description{
         .kind = role::dialect,
         .name = "glsl_es",

@@ -4,6 +4,7 @@
 #include <crease/parts/depth/layers.hpp>
 #include <crease/parts/estimator/visibility_settings.hpp>
 #include <crease/parts/estimator/volume.hpp>
+#include <crease/parts/receivers/thin_layers.hpp>
 #include <crease/parts/sampler/taps.hpp>
 
 namespace crease {
@@ -34,6 +35,7 @@ struct point_volume {
         .files = files,
         .settings = reads,
         .needs = needs::list,
+        .offers = traits<both_sides>::list,
     };
 };
 

@@ -4,6 +4,7 @@
 #include <crease/parts/depth/layers.hpp>
 #include <crease/parts/estimator/visibility_settings.hpp>
 #include <crease/parts/output/bent_cone.hpp>
+#include <crease/parts/receivers/thin_layers.hpp>
 #include <crease/parts/sampler/taps.hpp>
 #include <crease/parts/traversal/front_first.hpp>
 #include <crease/parts/view/second_view.hpp>
@@ -32,7 +33,7 @@ struct ssao {
         .files = files,
         .settings = reads,
         .needs = needs::list,
-        .offers = traits<open_directions, any_eye>::list,
+        .offers = traits<open_directions, any_eye, both_sides>::list,
     };
 };
 

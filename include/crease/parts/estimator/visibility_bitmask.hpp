@@ -7,6 +7,7 @@
 #include <crease/parts/estimator/open_horizon.hpp>
 #include <crease/parts/estimator/visibility_settings.hpp>
 #include <crease/parts/output/bent_cone.hpp>
+#include <crease/parts/receivers/thin_layers.hpp>
 #include <crease/parts/sampler/taps.hpp>
 #include <crease/parts/traversal/deferred_layers.hpp>
 
@@ -36,7 +37,7 @@ struct visibility_bitmask {
         .files = files,
         .settings = reads,
         .needs = needs::list,
-        .offers = traits<layers_behind, open_directions>::list,
+        .offers = traits<layers_behind, open_directions, both_sides>::list,
     };
 };
 

@@ -10,7 +10,8 @@ inline constexpr glsl_file thin_layers_glsl{
 #include <crease/receivers/thin_layers.glsl>
 };
 
-/// Works for a receiver that is looked at from behind: its normal and its way to the eye both turned round.
+/// Works for a receiver that is looked at from behind: its normal and its way to the eye both turned round,
+/// as crease_eye_side tells.
 CREASE_TRAIT(both_sides, estimator,
              "the receivers have two sides, and the estimator sees that side alone which faces the camera");
 

@@ -21,6 +21,10 @@ static_assert(arrayed::passes[0].name == "capture_layers" &&
 static_assert(arrayed::passes[1].name == "pack_layers");
 static_assert(arrayed::view().features.fragment_stores_and_atomics);
 
+using with_opacity = effect<directions<2, 4>, layer_array<6, 1, 3, 20>, hbao, every_layer>;
+static_assert(offers<layer_array<>, layers_with_opacity>);
+static_assert(with_opacity::passes.size() == 4);
+
 const resource& named(std::string_view name) {
     return *std::ranges::find(arrayed::resources, name, &resource::name);
 }
@@ -54,4 +58,20 @@ TEST_CASE("the geometry pass is placed among the host's bindings and constants")
 TEST_CASE("the main pass reads what is packed alone") {
     CHECK(contains(arrayed::source<2>(), "crease_load_packed_layers"));
     CHECK_FALSE(contains(arrayed::source<2>(), "crease_fragment_layers"));
+}
+
+TEST_CASE("where layers are needed with their opacity, a second geometry pass keeps their surfaces") {
+    const pass& each = with_opacity::passes[1];
+    CHECK(each.name == "capture_surfaces");
+    CHECK(each.stage == stage_kind::geometry);
+    CHECK(each.takes_surfaces);
+    CHECK(with_opacity::passes[0].takes_surfaces);
+    CHECK(each.bindings[1].set == 1);
+    CHECK(each.bindings[1].slot == 4);
+    CHECK(each.constants[0].id == 20);
+    const auto surfaces = std::ranges::find(with_opacity::resources, "fragment_surfaces", &resource::name);
+    REQUIRE(surfaces != with_opacity::resources.end());
+    CHECK(surfaces->layers == 12);
+    CHECK(surfaces->cleared);
+    CHECK(surfaces->clear == 0);
 }

@@ -3,7 +3,7 @@
 __LINE__, R"glsl("
 #endif
 
-// GLSL ES begins no global with what is uniform, so that what runs first sets it.
+// Neither GLSL ES nor naga begins a global with what is uniform, so that what runs first sets it.
 crease_view_parameters crease_view; // of the camera at work
 #ifdef __cplusplus
 ")glsl"

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
+uint crease_fragment_key();
+void crease_keep_fragment(uint key);
+#else
+__LINE__, R"glsl("
+#endif
+
+// Called by the host's fragment shader, after its own alpha test. `anchor`: the position on the surface, as other
+// captures take it.
+void crease_capture(vec3 anchor) { crease_keep_fragment(crease_fragment_key()); }
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT-0
+#ifdef __cplusplus
+__LINE__, R"glsl("
+#endif
+
+const int crease_most_layers = 2;
+#ifdef __cplusplus
+")glsl"
+#endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include <crease/crease.hpp>
+
+#include "text.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace crease;
+
+using two = effect<directions<2, 4>, static_and_dynamic_layers<1, 3, 20>, hbao>;
+static_assert(offers<static_and_dynamic_layers<>, depth_layers>);
+static_assert(offers<static_and_dynamic_layers<>, layers_behind_front>);
+static_assert(!offers<static_and_dynamic_layers<>, layers_of_two_views>);
+static_assert(!offers<static_and_dynamic_layers<>, layers_with_opacity>);
+static_assert(two::passes.size() == 4);
+
+const resource& named(std::string_view name) {
+    return *std::ranges::find(two::resources, name, &resource::name);
+}
+
+}
+
+TEST_CASE("static and dynamic geometry have a geometry pass and a layer each") {
+    constexpr std::string_view names[] = {"capture_static", "capture_dynamic"};
+    for (std::size_t i = 0; i < 2; ++i) {
+        CAPTURE(i);
+        const pass& each = two::passes[i];
+        CHECK(each.name == names[i]);
+        CHECK(each.stage == stage_kind::geometry);
+        CHECK(each.bindings[1].set == 1);
+        CHECK(each.bindings[1].slot == 4);
+    }
+    CHECK(two::passes[2].name == "pack_layers");
+    CHECK(named("fragment_layers").layers == 2);
+    CHECK(named("packed_layers").layers == 1);
+    CHECK(named("packed_layers").texels == format::rg32_float);
+}

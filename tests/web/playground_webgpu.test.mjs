@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// The page with WebGPU, on Chromium's own SwiftShader: its pictures against those of the crease command, and the choice of the device.
+import assert from 'node:assert/strict';
+import {mkdtempSync, rmSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+import {after, afterEach, before, beforeEach, test} from 'node:test';
+
+import {serve} from '../../web/serve.mjs';
+import {need, need_browser, new_page} from './packages.mjs';
+import {apart, rendered} from './pictures.mjs';
+
+const {SITE} = process.env;
+need('naga-wasm');
+const launch = need_browser();
+const folder = mkdtempSync(join(tmpdir(), 'crease-playground-webgpu-'));
+let server, address, browser, page, messages;
+
+before(async () => {
+    ({server, address} = await serve(SITE));
+    // Without the latter three a canvas of WebGPU ends the process that draws.
+    browser = await launch('--enable-unsafe-webgpu', '--enable-features=Vulkan', '--use-vulkan=swiftshader', '--use-angle=swiftshader');
+});
+
+after(async () => {
+    await browser?.close();
+    server?.close();
+    rmSync(folder, {recursive: true, force: true});
+});
+
+beforeEach(async () => {
+    messages = [];
+    page = await new_page(browser, {viewport: {width: 1280, height: 1400}});
+    page.on('pageerror', (error) => messages.push(error.message));
+    page.on('console', (message) => {
+        if (!/GPU stall due to ReadPixels/.test(message.text())) // how a headless browser shows a canvas
+            messages.push(message.text());
+    });
+});
+
+afterEach(async () => {
+    await page.close();
+    assert.deepEqual(messages, []);
+});
+
+async function open(fragment) {
+    await page.goto(`${address}index.html#${fragment}`);
+    await page.waitForFunction(() => document.body.dataset.drawn || document.getElementById('refusal').textContent);
+}
+
+function drawn(recipe, device) {
+    return page.waitForFunction(([expected, by]) => document.body.dataset.drawn === expected && document.body.dataset.device === by, [recipe, device]);
+}
+
+function visibility() {
+    return page.evaluate(async () => Array.from(await globalThis.playground.stage.visibility()));
+}
+
+for (const recipe of [
+    'directions:4x4/single_layer/hbao/bilateral',
+    'directions:4x4/depth_pyramid/hbao/reconstructed_normals/r32f',
+])
+    test(`WebGPU gives the picture of the command: ${recipe}`, async () => {
+        await open(`recipe=${recipe}&device=webgpu`);
+        await drawn(recipe, 'webgpu');
+        const {mean, share} = apart(await visibility(), rendered(folder, recipe));
+        assert.ok(mean <= 1e-4 && share <= 0.01, `mean ${mean}, share ${share}`);
+    });
+
+test('the device is chosen on the page, the link holds it, and the time is measured on it', async () => {
+    const recipe = 'directions:4x4/single_layer/hbao';
+    await open(`recipe=${recipe}`);
+    await drawn(recipe, 'webgl2');
+    const picture = await visibility();
+    assert.doesNotMatch(page.url(), /device=/);
+    await page.waitForFunction(() => document.getElementById('milliseconds').textContent !== '–');
+    await page.getByLabel('Device').selectOption('webgpu');
+    await drawn(recipe, 'webgpu');
+    assert.match(page.url(), /device=webgpu/);
+    const {mean, share} = apart(await visibility(), picture);
+    assert.ok(mean <= 1e-4 && share <= 0.01, `mean ${mean}, share ${share}`);
+    await page.waitForFunction(() => Number(document.getElementById('milliseconds').textContent) > 0 &&
+                                     document.getElementById('milliseconds').dataset.device === 'webgpu');
+    const pyramid = page.locator('#menu-depth-source option[value=depth_pyramid]');
+    assert.equal(await pyramid.count(), 1); // which WebGL 2 does not run
+    await page.getByLabel('Device').selectOption('webgl2');
+    await drawn(recipe, 'webgl2');
+    assert.equal(await pyramid.count(), 0);
+    assert.deepEqual(await visibility(), picture);
+});
+
+test('the camera turns, and the picture is that of WebGL 2', async () => {
+    const recipe = 'directions:4x4/single_layer/hbao', orbit = 'orbit=0.3,0.1,1';
+    await open(`recipe=${recipe}&device=webgpu&${orbit}`);
+    await drawn(recipe, 'webgpu');
+    const picture = await visibility();
+    await page.locator('#device').selectOption('webgl2');
+    await drawn(recipe, 'webgl2');
+    const {mean} = apart(await visibility(), picture);
+    assert.ok(mean < 0.01, `mean ${mean}`);
+    assert.ok(apart(picture, rendered(folder, recipe)).mean > 0.01);
+});
+
+test('where there is no device a sentence says so, and WebGL 2 draws', async () => {
+    await page.addInitScript(() => Object.defineProperty(navigator, 'gpu', {value: {requestAdapter: async () => null}}));
+    const recipe = 'directions:4x4/single_layer/hbao';
+    await open(`recipe=${recipe}&device=webgpu`);
+    await drawn(recipe, 'webgl2');
+    await page.waitForFunction(() => document.querySelector('#device [value=webgpu]').disabled);
+    assert.equal(await page.locator('#device-note').textContent(), 'This browser has WebGPU, and finds no device for it.');
+    assert.equal(await page.locator('#device').inputValue(), 'webgl2');
+    assert.doesNotMatch(page.url(), /device=/);
+});
