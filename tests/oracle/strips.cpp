@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -99,7 +100,8 @@ std::size_t others(const std::vector<float>& a, const std::vector<float>& b) {
 TEST_CASE("strips in shared memory change no bit of a single layer's picture") {
     const auto check = [](const std::string& effect, const std::string& strips,
                           std::initializer_list<std::pair<int, int>> sizes) {
-        for (const auto& [width, height] : sizes) {
+        for (const std::pair<int, int>& size : sizes) {
+            const int width = size.first, height = size.second;
             CAPTURE(effect);
             CAPTURE(strips);
             CAPTURE(width);
