@@ -42,6 +42,17 @@ nlohmann::json json_in(const std::filesystem::path& file) {
     return nlohmann::json::parse(content_of(file));
 }
 
+written_pictures::written_pictures(const std::string& arguments) {
+    expect_success(arguments + " -o '" + (folder / "out").string() + "'");
+}
+
+crease::tools::image written_pictures::operator[](const std::string& file) const {
+    const crease::tools::image read = crease::tools::read_image(folder / ("out/" + file));
+    CHECK(read.width == 64);
+    CHECK(read.height == 36);
+    return read;
+}
+
 std::vector<float> exr_channel_of(const std::filesystem::path& file, const std::string& name) {
     Imf::InputFile input(file.c_str());
     REQUIRE(input.header().channels().findChannel(name) != nullptr);

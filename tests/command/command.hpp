@@ -30,6 +30,15 @@ std::set<std::string> files_in(const std::filesystem::path& folder);
 
 nlohmann::json json_in(const std::filesystem::path& file);
 
+/// The pictures of 64 x 36 that a run of the command wrote to a folder of its own.
+struct written_pictures {
+    temporary_folder folder;
+
+    /// @param arguments  but for the folder
+    explicit written_pictures(const std::string& arguments);
+    crease::tools::image operator[](const std::string& file) const;
+};
+
 /// One channel of an EXR file, row 0 first.
 std::vector<float> exr_channel_of(const std::filesystem::path& file, const std::string& name);
 

@@ -13,19 +13,11 @@ using crease::tools::read_image;
 namespace {
 
 /// A truth of 64 x 36 that the command wrote.
-struct reference_files {
-    temporary_folder folder;
+struct reference_files : written_pictures {
+    reference_files(const std::string& scene, const std::string& options)
+        : written_pictures("reference " + scene + " " + options) {}
 
-    reference_files(const std::string& scene, const std::string& options) {
-        expect_success("reference " + scene + " " + options + " -o '" + (folder / "out").string() + "'");
-    }
-
-    image operator[](const std::string& name) const {
-        const image read = read_image(folder / ("out/" + name + ".pfm"));
-        CHECK(read.width == 64);
-        CHECK(read.height == 36);
-        return read;
-    }
+    image operator[](const std::string& name) const { return written_pictures::operator[](name + ".pfm"); }
 };
 
 const std::set<std::string> always{"ao_hard.pfm", "ao_linear.pfm", "ao_linear.png", "ao_quad.pfm",

@@ -14,20 +14,9 @@ using crease::tools::read_image;
 namespace {
 
 /// A picture of 64 x 36 that the command wrote.
-struct render_files {
-    temporary_folder folder;
-
-    render_files(const std::string& scene, const std::string& options) {
-        expect_success("render " + scene + " " + options + " --validation -o '" + (folder / "out").string() +
-                       "'");
-    }
-
-    image operator[](const std::string& name) const {
-        const image read = read_image(folder / ("out/" + name));
-        CHECK(read.width == 64);
-        CHECK(read.height == 36);
-        return read;
-    }
+struct render_files : written_pictures {
+    render_files(const std::string& scene, const std::string& options)
+        : written_pictures("render " + scene + " " + options + " --validation") {}
 };
 
 const std::set<std::string> always{"ao.pfm", "ao.png", "depth.pfm", "frame.exr", "meta.json", "normal.pfm"};

@@ -443,6 +443,42 @@ TEST_CASE("the interior of a hull sees what stands behind it") {
     }
 }
 
+TEST_CASE("between the faces of a transparent hull all is open") {
+    const float near = 1.5f, far = 4.2f; // farther apart than the radius
+    oracle::triangles back, drawn;
+    oracle::add_quad(drawn, {-8, -8, -near}, {16, 0, 0}, {0, 16, 0});
+    oracle::add_quad(back, {-8, -8, -far}, {16, 0, 0}, {0, 16, 0});
+    back = oracle::turned(back);
+    drawn.insert(drawn.end(), back.begin(), back.end());
+    std::array<std::uint32_t, 16> colors = all_of(255);
+    colors[0] = colors[1] = 0x80808080u;
+    for (const std::string parts : {"half_directions:8x8/linked_lists:4x8/cosine_bitmask:0x0",
+                                    "half_directions:8x8/linked_lists:4x8/cosine_bitmask:1x0"}) {
+        CAPTURE(parts);
+        const auto hull = run(parts + "/every_layer/r32f", drawn, colors);
+        CHECK(std::ranges::min(hull->runner().download("visibility")) > 0.99f);
+    }
+}
+
+TEST_CASE("an opaque solid behind a hull begins where its front does") {
+    constexpr float apart = 1.5f, alpha = 128 / 255.0f;
+    oracle::triangles drawn = oracle::wall(3), back = oracle::turned(oracle::wall(4 + apart));
+    for (const oracle::triangles& each : {oracle::wall(3 + apart), back})
+        drawn.insert(drawn.end(), each.begin(), each.end());
+    std::array<std::uint32_t, 16> colors = all_of(255);
+    colors[0] = colors[1] = 0x80808080u;
+    const std::string parts = "half_directions:8x8/linked_lists:4x8/cosine_bitmask:0x0";
+    const auto of_one = run(parts + "/every_layer/r32f", drawn, colors),
+               of_both = run(parts + "/thin_layers/r32f", drawn, colors);
+    const std::size_t middle = height / 2 * width + width / 2;
+    const double one = double{of_one->runner().download("visibility")[middle]},
+                 both = double{of_both->runner().download("visibility")[middle]};
+    const double beyond = apart / radius;
+    CAPTURE(one);
+    CAPTURE(both);
+    CHECK(std::abs(1 - (one - both) / (alpha * (1 - alpha)) - beyond * beyond) < 0.15);
+}
+
 TEST_CASE("a hull that stands alone is open on both sides") {
     oracle::triangles slanted;
     oracle::add_quad(slanted, {-8, -6, -6}, {16, 0, 3}, {0, 12, 2});

@@ -100,14 +100,6 @@ void check_use(const render_options& options, const recipe& chosen) {
         throw recipe_error("--frame: the recipe has no randomness that it could change");
 }
 
-double total(const frame_times& times) {
-    double milliseconds = 0;
-    for (const std::vector<vulkan::pass_time>& all : {times.captures, times.passes})
-        for (const vulkan::pass_time& t : all)
-            milliseconds += t.milliseconds;
-    return milliseconds;
-}
-
 void run(const render_options& options) {
     const recipe wanted = parse_recipe(options.recipe);
     check_use(options, wanted);
@@ -159,7 +151,7 @@ void run(const render_options& options) {
     files.appear(describe(options, from, chosen, settle(chosen, how), times, std::string(device.name())),
                  options.scene.inputs());
     fmt::print("{}: visibility of '{}' from '{}', {} x {}, in {:.2f} ms on {}\n", options.directory.string(),
-               options.scene.scene, from.name, from.width, from.height, total(times), device.name());
+               options.scene.scene, from.name, from.width, from.height, times.total(), device.name());
 }
 
 }

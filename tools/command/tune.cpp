@@ -72,14 +72,6 @@ double mean_error(vulkan::device& device, const candidate& of, const std::vector
     return sum / static_cast<double>(views.size());
 }
 
-double total(const frame_times& times) {
-    double milliseconds = 0;
-    for (const std::vector<vulkan::pass_time>& all : {times.captures, times.passes})
-        for (const vulkan::pass_time& t : all)
-            milliseconds += t.milliseconds;
-    return milliseconds;
-}
-
 void measure(vulkan::device& device, trial& of, const std::vector<const subject*>& views,
              const tune_options& options) {
     const candidate read = parse_candidate(of.candidate);
@@ -93,7 +85,7 @@ void measure(vulkan::device& device, trial& of, const std::vector<const subject*
     of.error = mean_error(device, read, views, options);
     const std::unique_ptr<prepared_effect> effect[] = {
         std::make_unique<prepared_effect>(device, read.chosen, views[0]->inputs, read.options_for(from))};
-    of.milliseconds = total(take_turns(effect, options.repeats)[0]);
+    of.milliseconds = take_turns(effect, options.repeats)[0].total();
 }
 
 trial tried(vulkan::device& device, const std::string& text, const std::vector<const subject*>& views,

@@ -47,6 +47,8 @@ float linear_depth_of(const gbuffer& inputs, float device);
 /// What a picture of an effect took: its geometry passes, and the others.
 struct frame_times {
     std::vector<vulkan::pass_time> captures, passes;
+
+    double total() const; ///< milliseconds
 };
 
 /// A picture of an effect.

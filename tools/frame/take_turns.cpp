@@ -24,6 +24,14 @@ std::vector<vulkan::pass_time> medians(const std::vector<frame_times>& turns,
 
 }
 
+double frame_times::total() const {
+    double milliseconds = 0;
+    for (const std::vector<vulkan::pass_time>& all : {captures, passes})
+        for (const vulkan::pass_time& t : all)
+            milliseconds += t.milliseconds;
+    return milliseconds;
+}
+
 std::vector<frame_times> take_turns(std::span<const std::unique_ptr<prepared_effect>> effects,
                                     unsigned repeats, const std::function<void(double)>& progress) {
     std::vector<std::vector<frame_times>> turns(effects.size());

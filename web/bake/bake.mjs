@@ -46,7 +46,7 @@ try {
     if (wanted('gallery'))
         bake_gallery({command, crease, folder, scratch, template: beside('gallery.html'), rays, count: Number(options.families)});
     if (wanted('texts'))
-        await bake_texts({command, crease, folder, scratch, modules: options.modules, count: Number(options.texts)});
+        await bake_texts({command, crease, folder, scratch, count: Number(options.texts)});
 } finally {
     rmSync(scratch, {recursive: true, force: true});
 }

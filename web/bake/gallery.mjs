@@ -7,6 +7,12 @@ import {join} from 'node:path';
 import {families as all_families} from './families.mjs';
 import {plot} from './plot.mjs';
 
+/** By which the page may run a recipe. */
+const devices = [
+    {words: 'fragment/glsl_es:300', link: '', note: ''},
+    {words: 'webgpu', link: '&amp;device=webgpu', note: ', by WebGPU'},
+];
+
 function escaped(text) {
     return `${text}`.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
 }
@@ -21,7 +27,7 @@ function measured(command, families, {rays, truths}) {
 
 function entry(family, row, {crease, name}) {
     const part = crease.parts.find((each) => each.name === family.part);
-    const shown = crease.check(`${family.recipe}/linear_depth/fragment/glsl_es:300`) === '';
+    const device = devices.find(({words}) => crease.check(`${family.recipe}/linear_depth/${words}`) === '');
     const recipe = escaped(family.recipe);
     return `<article id="${name}">
     <h3>${escaped(family.title)}</h3>
@@ -34,7 +40,7 @@ function entry(family, row, {crease, name}) {
         <div><dt>SSIM linear</dt><dd>${row.ssim.toFixed(3)}</dd></div>
         <div><dt>ms</dt><dd>${(row.milliseconds + row.capture_milliseconds).toFixed(1)}</dd></div>
     </dl>
-    <p>${shown ? `<a href="index.html#recipe=${recipe}">Open in the playground</a>` : 'Its passes need more than WebGL 2.'}</p>
+    <p>${device ? `<a href="index.html#recipe=${recipe}${device.link}">Open in the playground</a>${device.note}` : 'Its passes need more than WebGL 2 and WebGPU have.'}</p>
 </article>`;
 }
 

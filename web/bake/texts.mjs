@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Recipes in the languages that the command translates to, for the page that composes GLSL alone.
+// Recipes in HLSL and Metal, which the command translates to and the page cannot.
 import {execFile} from 'node:child_process';
 import {mkdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {cpus} from 'node:os';
@@ -11,7 +11,7 @@ import {text_key} from '../site/text_key.js';
 import {families} from './families.mjs';
 
 const run = promisify(execFile);
-const targets = ['hlsl', 'msl', 'wgsl'];
+const targets = ['hlsl', 'msl'];
 const filters = ['', '/bilateral', '/separable_plane_filter'];
 
 /** The presets, the gallery, and every sampler, source and estimator that browsers run, alone and with common filters. */
@@ -25,9 +25,9 @@ function recipes(crease) {
 }
 
 /** The shaders of a recipe, or the sentence by which the command refuses it. */
-async function shaders_of(command, recipe, target, folder, cwd) {
+async function shaders_of(command, recipe, target, folder) {
     try {
-        await run(command, ['emit', recipe, '--target', target, '-o', folder], {cwd});
+        await run(command, ['emit', recipe, '--target', target, '-o', folder]);
     } catch ({stderr}) {
         return stderr.trim();
     }
@@ -38,10 +38,9 @@ async function shaders_of(command, recipe, target, folder, cwd) {
 
 /**
  * Writes texts/<n>.bin for each recipe, and texts.json, which says by the parts of an effect which is whose.
- * @param modules  a folder from which node finds naga-wasm, which makes WGSL; undefined: the current one
- * @param count    of recipes at most
+ * @param count  of recipes at most
  */
-export async function bake_texts({command, crease, folder, scratch, modules, count}) {
+export async function bake_texts({command, crease, folder, scratch, count}) {
     mkdirSync(join(folder, 'texts'), {recursive: true});
     const list = {};
     for (const recipe of recipes(crease).slice(0, count)) {
@@ -53,7 +52,7 @@ export async function bake_texts({command, crease, folder, scratch, modules, cou
         for (let next = left.shift(); next; next = left.shift()) {
             const texts = {};
             for (const target of targets)
-                texts[target] = await shaders_of(command, next.recipe, target, join(scratch, `${next.file}_${target}`), modules);
+                texts[target] = await shaders_of(command, next.recipe, target, join(scratch, `${next.file}_${target}`));
             writeFileSync(join(folder, 'texts', next.file), gzipSync(JSON.stringify(texts), {level: 9}));
         }
     };

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The emitted text, in the language that is chosen: GLSL is composed here, the others were translated when the page was made.
+// The emitted text, in the language that is chosen: GLSL is composed here, of which naga makes WGSL; HLSL and Metal were translated
+// when the page was made.
+import {with_wgsl} from './package/webgpu.js';
+
 import {by_id, element} from './dom.js';
+import {load_naga} from './naga.js';
 import {name_of} from './recipe.js';
 import {text_key} from './text_key.js';
 
@@ -9,7 +13,12 @@ const composed = {
     opengl: {title: 'GLSL for OpenGL', words: ['opengl']},
     es: {title: 'GLSL ES for WebGL 2', words: ['fragment', 'glsl_es:300']},
 };
-const translated = {hlsl: 'HLSL', msl: 'Metal', wgsl: 'WGSL'};
+const translated = {hlsl: 'HLSL', msl: 'Metal'};
+const titles = {...Object.fromEntries(Object.entries(composed).map(([value, {title}]) => [value, title])), ...translated, wgsl: 'WGSL'};
+
+function shaders_of(passes) {
+    return passes.map(({name, shaders: [{text}]}, i) => ({name: `${i} ${name}`, text}));
+}
 
 /** The shaders of a recipe in each language, or a sentence in their place. */
 async function load_translation({file}) {
@@ -24,9 +33,7 @@ export class Texts {
     constructor(crease) {
         this.crease = crease;
         this.language = by_id('language');
-        this.language.append(
-            ...Object.entries(composed).map(([value, {title}]) => element('option', {value}, title)),
-            ...Object.entries(translated).map(([value, title]) => element('option', {value}, title)));
+        this.language.append(...Object.entries(titles).map(([value, title]) => element('option', {value}, title)));
         this.language.addEventListener('change', () => this.#update());
         by_id('pass').addEventListener('change', () => this.#print());
         by_id('copy').addEventListener('click', () => this.#copy('text'));
@@ -40,7 +47,8 @@ export class Texts {
 
     async #update() {
         const language = this.language.value, update = ++this.#updates;
-        const shown = language in composed ? this.#compose(language) : await this.#translation(language);
+        const shown = language in composed ? this.#compose(language)
+            : language === 'wgsl' ? await this.#wgsl() : await this.#translation(language);
         if (update !== this.#updates)
             return;
         Object.assign(this, shown);
@@ -49,14 +57,31 @@ export class Texts {
         this.#print();
     }
 
-    #compose(language) {
+    /** The recipe with the stage and the dialect of a language. */
+    #recipe_in(words) {
         const decided = new Set(['stage', 'dialect']);
         const roles = new Map(this.crease.parts.map(({name, role}) => [name, role]));
-        const words = this.recipe.split('/').filter((word) => !decided.has(roles.get(name_of(word))));
-        const recipe = [...words, ...composed[language].words].join('/');
+        return [...this.recipe.split('/').filter((word) => !decided.has(roles.get(name_of(word)))), ...words].join('/');
+    }
+
+    #compose(language) {
+        const recipe = this.#recipe_in(composed[language].words);
         const note = this.crease.check(recipe);
-        const passes = note ? [] : this.crease.compose(recipe).passes;
-        return {note, command: `crease emit ${recipe}`, shaders: passes.map(({name, shaders}, i) => ({name: `${i} ${name}`, text: shaders[0].text}))};
+        return {note, command: `crease emit ${recipe}`, shaders: note ? [] : shaders_of(this.crease.compose(recipe).passes)};
+    }
+
+    async #wgsl() {
+        const recipe = this.#recipe_in(['webgpu']), command = `crease emit ${this.recipe} --target wgsl`;
+        try {
+            const effect = this.crease.compose(recipe), heads = shaders_of(effect.passes).map(({text}) => text.match(/^\/\/.*\n/)?.[0] ?? '');
+            const shaders = shaders_of(with_wgsl(effect, await load_naga()).passes);
+            return {
+                note: 'By naga of GLSL. The command has naga make it of SPIR-V: other words, the same numbers.', command,
+                shaders: shaders.map(({name, text}, i) => ({name, text: heads[i] + text})), // naga keeps no comment, so no licence
+            };
+        } catch (error) {
+            return {note: error.message, command, shaders: []};
+        }
     }
 
     async #translation(language) {

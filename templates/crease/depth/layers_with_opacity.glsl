@@ -15,9 +15,10 @@ struct crease_layer {
 
 crease_layer crease_layer_of(vec3 position) { return crease_layer(position, 1.0, -1.0, 1.0); }
 
+// What an opaque front face begins is solid. A transparent surface is one alone, as rays meet it.
 crease_layer crease_packed_layer(vec2 texel, float depth, float behind, float opacity) {
-    bool ends = behind < crease_background;
-    float thickness = depth < 0.0 ? 0.0 : ends ? max(-behind - depth, 0.0) : -1.0;
+    bool alone = depth < 0.0 || opacity < 1.0, ends = behind < crease_background;
+    float thickness = alone ? 0.0 : ends ? max(-behind - depth, 0.0) : -1.0;
     return crease_layer(crease_view_position(texel, abs(depth)), 1.0, thickness, opacity);
 }
 #ifdef __cplusplus

@@ -64,29 +64,35 @@ crease_contribution crease_weigh_faded(crease_march march, crease_receiver recei
     return crease_fade(march, receiver, tap, crease_weigh(march, receiver, tap, layer), layer.opacity);
 }
 
-// The layers of a group are written out, which keeps it in registers.
+crease_contribution crease_combine_faded(crease_march march, crease_receiver receiver, crease_tap tap,
+                                         crease_contribution all, crease_group group, int i, float behind) {
+    crease_layer layer = crease_layer_of_group(tap.texel, group, i, behind);
+    return crease_combine(all, crease_weigh_faded(march, receiver, tap, layer));
+}
+
+// The layers of a group are written out, which keeps it in registers, and weighed without a branch.
+crease_contribution crease_combine_faded_rest(crease_march march, crease_receiver receiver, crease_tap tap,
+                                              crease_contribution all, crease_group group, float behind) {
+    all = crease_combine_faded(march, receiver, tap, all, group, 1, group.depths.z);
+    all = crease_combine_faded(march, receiver, tap, all, group, 2, group.depths.w);
+    return crease_combine_faded(march, receiver, tap, all, group, 3, behind);
+}
+
+crease_group crease_group_behind(crease_layers layers, crease_group group, int i) {
+    return group.depths.w < crease_background ? crease_group_at(layers, i) : crease_no_group;
+}
+
 crease_contribution crease_combine_first_layers(crease_march march, crease_receiver receiver, crease_tap tap,
                                                 crease_layers layers) {
-    crease_group group = layers.first;
+    crease_group group = layers.first, next = crease_group_behind(layers, group, 1);
     crease_contribution all = crease_weigh_faded(
         march, receiver, tap, crease_layer_of_group(tap.texel, group, 0, group.depths.y));
-    for (int i = 0; i < crease_group_count() && group.depths.x < crease_background; ++i) {
-        crease_group next = crease_no_group;
-        if (group.depths.w < crease_background)
-            next = crease_group_at(layers, i + 1);
-        if (i > 0)
-            all = crease_combine(all, crease_weigh_faded(march, receiver, tap,
-                crease_layer_of_group(tap.texel, group, 0, group.depths.y)));
-        if (group.depths.y < crease_background)
-            all = crease_combine(all, crease_weigh_faded(march, receiver, tap,
-                crease_layer_of_group(tap.texel, group, 1, group.depths.z)));
-        if (group.depths.z < crease_background)
-            all = crease_combine(all, crease_weigh_faded(march, receiver, tap,
-                crease_layer_of_group(tap.texel, group, 2, group.depths.w)));
-        if (group.depths.w < crease_background)
-            all = crease_combine(all, crease_weigh_faded(march, receiver, tap,
-                crease_layer_of_group(tap.texel, group, 3, next.depths.x)));
+    all = crease_combine_faded_rest(march, receiver, tap, all, group, next.depths.x);
+    for (int i = 2; i <= crease_group_count() && next.depths.x < crease_background; ++i) {
         group = next;
+        next = crease_group_behind(layers, group, i);
+        all = crease_combine_faded(march, receiver, tap, all, group, 0, group.depths.y);
+        all = crease_combine_faded_rest(march, receiver, tap, all, group, next.depths.x);
     }
     return all;
 }

@@ -1,39 +1,16 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
-vec3 crease_noise(ivec2 pixel);
-float crease_share_inside(vec2 from, vec2 way);
-mat2 crease_disk_of(crease_receiver receiver);
+vec2 crease_disk_texel(inout crease_pattern pattern, crease_receiver receiver, int step, out float share);
 #else
 __LINE__, R"glsl("
 #endif
 
-// A disk of points that keep apart: a spiral of golden angles, on which no two of N points are nearer to each other
-// than 1 / sqrt(N) of the radius, for every N. It is turned, and its radii are shifted, at random per pixel.
-struct crease_pattern {
-    vec2 direction; // unit, on the disk that faces the eye
-    float offset;   // of the first radius
-};
-
-crease_pattern crease_pattern_begin(crease_receiver receiver) {
-    vec2 noise = crease_noise(receiver.pixel).xy;
-    float angle = 6.28318531 * noise.x;
-    return crease_pattern(vec2(cos(angle), sin(angle)), noise.y);
-}
-
-int crease_direction_count() { return 1; }
-
+// A disk of points that keep apart.
 int crease_step_count() { return crease_poisson_disk_count; }
 
-vec2 crease_pattern_direction(inout crease_pattern pattern, crease_receiver receiver, int direction) { return vec2(0.0); }
-
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
-    const vec2 golden_angle = vec2(-0.73736888, 0.67549029);
-    pattern.direction = vec2(golden_angle.x * pattern.direction.x - golden_angle.y * pattern.direction.y,
-                             golden_angle.y * pattern.direction.x + golden_angle.x * pattern.direction.y);
-    float distance = sqrt((float(step) + pattern.offset) / float(crease_poisson_disk_count));
-    vec2 radius = crease_disk_of(receiver) * pattern.direction;
-    float share = crease_share_inside(receiver.texel + 0.5, radius);
-    vec2 texel = floor(receiver.texel + 0.5 + radius * (share * distance));
+    float share;
+    vec2 texel = crease_disk_texel(pattern, receiver, step, share);
     return crease_tap(texel, texel != receiver.texel && crease_inside(texel), share * share);
 }
 #ifdef __cplusplus

@@ -102,8 +102,8 @@ crease_result crease_conclude(crease_gathered gathered, crease_receiver receiver
                          receiver.normal);
 }
 
-// A disk of points that keep apart: a spiral of golden angles, on which no two of N points are nearer to each other
-// than 1 / sqrt(N) of the radius, for every N. It is turned, and its radii are shifted, at random per pixel.
+// Points spread evenly over the disk of the radius: a spiral of golden angles, on which no two of N points are nearer to
+// each other than 1 / sqrt(N) of the radius, for every N. It is turned, and its radii are shifted, at random per pixel.
 struct crease_pattern {
     vec2 direction; // unit, on the disk that faces the eye
     float offset;   // of the first radius
@@ -138,6 +138,7 @@ crease_gathered crease_begin_gathering(crease_receiver receiver) {
 
 int crease_direction_count() { return 1; }
 
+// A disk of points that keep apart.
 int crease_step_count() { return crease_poisson_disk_count; }
 
 const int crease_most_layers = 1;
@@ -192,19 +193,25 @@ float crease_share_inside(vec2 from, vec2 way) {
     return clamp(min(share.x, share.y), 0.0, 1.0);
 }
 
+// The texel of the next point, and the share of the disk in its direction that is in the depth image.
+vec2 crease_disk_texel(inout crease_pattern pattern, crease_receiver receiver, int step, out float share) {
+    const vec2 golden_angle = vec2(-0.73736888, 0.67549029);
+    pattern.direction = vec2(golden_angle.x * pattern.direction.x - golden_angle.y * pattern.direction.y,
+                             golden_angle.y * pattern.direction.x + golden_angle.x * pattern.direction.y);
+    float distance = sqrt((float(step) + pattern.offset) / float(crease_step_count()));
+    vec2 radius = crease_disk_of(receiver) * pattern.direction;
+    share = crease_share_inside(receiver.texel + 0.5, radius);
+    return floor(receiver.texel + 0.5 + radius * (share * distance));
+}
+
 // Whether texel coordinates lie inside the depth image. Compares bits: those of negative numbers and NaN exceed any size's.
 bool crease_inside(vec2 texel) {
     return all(lessThan(floatBitsToUint(texel), floatBitsToUint(crease_depth_size())));
 }
 
 crease_tap crease_pattern_tap(inout crease_pattern pattern, crease_receiver receiver, int step) {
-    const vec2 golden_angle = vec2(-0.73736888, 0.67549029);
-    pattern.direction = vec2(golden_angle.x * pattern.direction.x - golden_angle.y * pattern.direction.y,
-                             golden_angle.y * pattern.direction.x + golden_angle.x * pattern.direction.y);
-    float distance = sqrt((float(step) + pattern.offset) / float(crease_poisson_disk_count));
-    vec2 radius = crease_disk_of(receiver) * pattern.direction;
-    float share = crease_share_inside(receiver.texel + 0.5, radius);
-    vec2 texel = floor(receiver.texel + 0.5 + radius * (share * distance));
+    float share;
+    vec2 texel = crease_disk_texel(pattern, receiver, step, share);
     return crease_tap(texel, texel != receiver.texel && crease_inside(texel), share * share);
 }
 

@@ -288,6 +288,14 @@ crease_contribution crease_ssao_contribution(crease_tap tap, float occlusion, fl
     return crease_contribution(occlusion, points, open, openness);
 }
 
+// How much nearer to the eye a layer is than the receiver, in depth.
+float crease_layer_before(crease_receiver receiver, crease_layer layer) {
+    return layer.position.z - receiver.position.z;
+}
+
+// 1, or -1 where the receiver is looked at from behind.
+float crease_eye_side(crease_receiver receiver) { return 1.0; }
+
 crease_contribution crease_weigh(crease_march march, crease_receiver receiver, crease_tap tap, crease_layer layer) {
     // A point close to the tangent plane says nothing. One beside the picture counts as open for the bent normal, as
     // leaving it out would turn the cone to the picture's middle.
@@ -295,10 +303,10 @@ crease_contribution crease_weigh(crease_march march, crease_receiver receiver, c
         return crease_ssao_contribution(tap, 0.0, 0.0, 0.0);
     if (!tap.inside)
         return crease_ssao_contribution(tap, 0.0, 0.0, 1.0);
-    float before = layer.position.z - receiver.position.z;
+    float before = crease_layer_before(receiver, layer);
     // Of layers that do not occlude, the tiny negative numbers make one behind the point win over one that is out of
     // range, and either over background, where layers are combined by the greater occlusion.
-    if (before - march.rounding < tap.offset.z) {
+    if (before - march.rounding < crease_eye_side(receiver) * tap.offset.z) {
         float nothing = layer.position.z > -0.5 * crease_background ? 0.0 : -2e-6;
         return crease_ssao_contribution(tap, nothing, 1.0, 1.0 - nothing);
     }

@@ -49,8 +49,10 @@ struct layer_array_part {
 };
 
 /// Depth source: the `Layers` nearest fragments of each texel, front and back faces told apart, in an array
-/// image that an atomic minimum keeps sorted. What is farther is counted. The other numbers place its
-/// bindings and constants among those of the host's geometry pass.
+/// image that an atomic minimum keeps sorted. What is farther is counted. Where layers are needed with their
+/// opacity, a second geometry pass, `capture_surfaces`, which must meet the same fragments, keeps their
+/// colours and normals. The other numbers place its bindings and constants among those of the host's geometry
+/// pass.
 template <int Layers = 8, int Set = 0, int FirstBinding = 0, int FirstConstant = 0>
 struct layer_array : layer_array_part {
     static constexpr int numbers[] = {Layers, Set, FirstBinding, FirstConstant};

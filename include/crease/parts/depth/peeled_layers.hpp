@@ -39,8 +39,9 @@ struct peeled_layers_part {
 
 /// Depth source: the `Layers` nearest fragments of each texel, front and back faces told apart, each in a
 /// geometry pass of its own. Of fragments of one depth and side one counts; what is farther is not seen, and
-/// so not counted. The other numbers place its bindings and constants among those of the host's geometry
-/// pass.
+/// so not counted. Where layers are needed with their opacity, a last geometry pass, `capture_surfaces`,
+/// keeps their colours and normals. All passes must meet the same fragments. The other numbers place its
+/// bindings and constants among those of the host's geometry pass.
 template <int Layers = 4, int Set = 0, int FirstBinding = 0, int FirstConstant = 0>
 struct peeled_layers : peeled_layers_part {
     static constexpr int numbers[] = {Layers, Set, FirstBinding, FirstConstant};

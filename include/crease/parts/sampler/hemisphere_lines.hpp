@@ -12,8 +12,8 @@ inline constexpr glsl_file hemisphere_lines_glsl{
 
 struct hemisphere_lines_part {
     static constexpr number takes[] = {{"count", 1, 256, 12, "lines through the hemisphere"}};
-    static constexpr const glsl_file* files[] = {&line_tap_glsl, &texel_ray_glsl, &share_inside_glsl,
-                                                 &disk_lines_glsl, &hemisphere_lines_glsl};
+    static constexpr const glsl_file* files[] = {&line_tap_glsl,    &texel_ray_glsl,  &share_inside_glsl,
+                                                 &disk_spiral_glsl, &disk_lines_glsl, &hemisphere_lines_glsl};
     static constexpr part description{
         .kind = role::sampler,
         .name = "hemisphere_lines",

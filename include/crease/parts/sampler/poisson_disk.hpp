@@ -12,7 +12,8 @@ inline constexpr glsl_file poisson_disk_glsl{
 
 struct poisson_disk_part {
     static constexpr number takes[] = {{"count", 1, 256, 16, "taps in the disk of the radius"}};
-    static constexpr const glsl_file* files[] = {&screen_tap_glsl, &share_inside_glsl, &poisson_disk_glsl};
+    static constexpr const glsl_file* files[] = {&screen_tap_glsl, &share_inside_glsl, &disk_spiral_glsl,
+                                                 &poisson_disk_glsl};
     static constexpr part description{
         .kind = role::sampler,
         .name = "poisson_disk",

@@ -12,8 +12,8 @@ inline constexpr glsl_file sphere_lines_glsl{
 
 struct sphere_lines_part {
     static constexpr number takes[] = {{"count", 1, 256, 12, "lines through the sphere"}};
-    static constexpr const glsl_file* files[] = {&line_tap_glsl, &texel_ray_glsl, &share_inside_glsl,
-                                                 &disk_lines_glsl, &sphere_lines_glsl};
+    static constexpr const glsl_file* files[] = {&line_tap_glsl,    &texel_ray_glsl,  &share_inside_glsl,
+                                                 &disk_spiral_glsl, &disk_lines_glsl, &sphere_lines_glsl};
     static constexpr part description{
         .kind = role::sampler,
         .name = "sphere_lines",

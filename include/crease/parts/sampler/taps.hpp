@@ -6,8 +6,7 @@
 namespace crease {
 
 /// Taps on the screen, each at the centre of a texel.
-CREASE_TRAIT(screen_taps, sampler,
-             "taps on the screen are needed, which the sampler does not propose");
+CREASE_TRAIT(screen_taps, sampler, "taps on the screen are needed, which the sampler does not propose");
 
 /// Screen taps in order of distance along directions.
 CREASE_TRAIT(ordered_taps, sampler,
@@ -91,6 +90,11 @@ inline constexpr glsl_file line_tap_glsl{
 inline constexpr glsl_file texel_ray_glsl{
     "sampler/texel_ray.glsl",
 #include <crease/sampler/texel_ray.glsl>
+};
+
+inline constexpr glsl_file disk_spiral_glsl{
+    "sampler/disk_spiral.glsl",
+#include <crease/sampler/disk_spiral.glsl>
 };
 
 inline constexpr glsl_file disk_lines_glsl{
