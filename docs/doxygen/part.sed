@@ -7,6 +7,7 @@ s|^( *)static constexpr void shape[_a-z]*\(|\1/// Sets the shape of its resource
 s|^( *)static constexpr void fill\(|\1/// Fills its constant image.\n&|
 s|^( *)static constexpr resource |\1/// Images and buffers that it reads or fills.\n&|
 s|^( *)static constexpr step |\1/// Passes of its own.\n&|
+s|^( *)static constexpr files_where |\1/// GLSL that stands before its own where more is needed of it.\n&|
 s|^( *)static constexpr step_constant |\1/// Constants of its steps.\n&|
 s|^( *)static constexpr std::string_view |\1/// Names of resources that a step fills.\n&|
 s|^( *)static constexpr role |\1/// The roles of which it requires a part.\n&|

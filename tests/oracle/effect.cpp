@@ -137,6 +137,56 @@ std::vector<std::vector<tap>> poisson_disk(const picture& p, const receiver& r, 
     return {taps};
 }
 
+std::vector<axis_march> axis_marches(const picture& p, const receiver& r, const settings& s, int steps,
+                                     int reach) {
+    glm::dvec3 across, up;
+    axes(p, r, across, up);
+    std::vector<axis_march> all;
+    for (const glm::dvec2 axis : {glm::dvec2(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+        // The azimuth whose offset lies along the axis: where what is across it vanishes.
+        const glm::dvec2 side(-axis.y, axis.x);
+        const double a = glm::dot(texel_offset(p, r, s.radius * across), side),
+                     b = glm::dot(texel_offset(p, r, s.radius * up), side);
+        glm::dvec3 azimuth = glm::normalize(b * across - a * up);
+        double radius = glm::dot(texel_offset(p, r, s.radius * azimuth), axis);
+        if (radius < 0) {
+            azimuth = -azimuth;
+            radius = -radius;
+        }
+        axis_march march{
+            azimuth, radius, std::max(std::min(radius, static_cast<double>(reach)) / steps, 1.0), {}};
+        for (int i = 1; i <= steps; ++i) {
+            const double texels = std::floor(i * march.stride + 0.5);
+            const int x = r.x + static_cast<int>(texels * axis.x),
+                      y = r.y + static_cast<int>(texels * axis.y);
+            march.taps.push_back({std::clamp(x, 0, p.width - 1), std::clamp(y, 0, p.height - 1), texels,
+                                  p.contains(x, y) && texels <= std::max(radius, 1.0) + 0.5});
+        }
+        all.push_back(march);
+    }
+    return all;
+}
+
+std::vector<std::vector<tap>> axis_taps(const picture& p, const receiver& r, const settings& s, int steps,
+                                        int reach) {
+    std::vector<std::vector<tap>> all;
+    for (const axis_march& march : axis_marches(p, r, s, steps, reach)) {
+        std::vector<tap> along;
+        for (int i = 0; i < steps; ++i) {
+            const axis_march::place& at = march.taps[static_cast<std::size_t>(i)];
+            if (!at.counts)
+                continue;
+            tap t{at.x, at.y, glm::dvec3(0)};
+            t.azimuth = march.azimuth;
+            t.step = i;
+            t.weight = march.stride * steps / std::max(march.radius, 1.0); // the share of the radius reached
+            along.push_back(t);
+        }
+        all.push_back(along);
+    }
+    return all;
+}
+
 std::vector<std::vector<tap>> hemisphere_points(const picture& p, const receiver& r, const settings& s,
                                                 int count) {
     const glm::dvec2 random(noise(r.pixel_x, r.pixel_y, s));

@@ -75,6 +75,23 @@ double tangent_angle(const receiver& r, glm::dvec3 azimuth);
 /// The share of a way across the picture, at most all of it, after which it leaves the picture.
 double share_inside(const picture& p, glm::dvec2 from, glm::dvec2 way);
 
+/// One of the four ways along the row and the column of a receiver.
+struct axis_march {
+    struct place {
+        int x, y;      ///< where the picture ends, its edge
+        double texels; ///< from the receiver
+        bool counts;   ///< whether it is in the picture and no farther than the radius
+    };
+    glm::dvec3 azimuth; ///< that goes this way on the screen, unit, across the direction to the eye
+    double radius;      ///< texels
+    double stride;      ///< texels from a tap to the next
+    std::vector<place> taps;
+};
+
+/// Right, left, down, up: even steps of a texel or more, up to the radius or the reach.
+std::vector<axis_march> axis_marches(const picture& p, const receiver& r, const settings& s, int steps,
+                                     int reach);
+
 /// The radius, but no larger than half the picture's diagonal at the depth of a receiver.
 double radius_inside(const picture& p, const receiver& r, double radius);
 
@@ -82,6 +99,8 @@ double radius_inside(const picture& p, const receiver& r, double radius);
 std::vector<std::vector<tap>> directions(const picture& p, const receiver& r, const settings& s, int count,
                                          int steps, int power = 2);
 std::vector<std::vector<tap>> poisson_disk(const picture& p, const receiver& r, const settings& s, int count);
+std::vector<std::vector<tap>> axis_taps(const picture& p, const receiver& r, const settings& s, int steps,
+                                        int reach);
 std::vector<std::vector<tap>> hemisphere_points(const picture& p, const receiver& r, const settings& s,
                                                 int count);
 

@@ -106,6 +106,18 @@ half_slices half_directions(const picture& p, const receiver& r, const settings&
     return found;
 }
 
+half_slices axis_slices(const picture& p, const receiver& r, const settings& s, int steps, int reach) {
+    half_slices found;
+    for (const axis_march& march : axis_marches(p, r, s, steps, reach)) {
+        half_slice along{march.azimuth, {}};
+        for (const axis_march::place& at : march.taps)
+            along.taps.push_back({at.x, at.y, at.texels / march.radius,
+                                  1.0 / static_cast<double>(along.taps.size() + 1), at.counts});
+        found.all.push_back(along);
+    }
+    return found;
+}
+
 half_slices slices(const picture& p, const receiver& r, const settings& s, int count, int steps, int power) {
     const glm::dvec3 random = noise(r.pixel_x, r.pixel_y, s);
     glm::dvec3 across, up;

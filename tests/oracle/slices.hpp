@@ -32,6 +32,7 @@ half_slices half_directions(const picture& p, const receiver& r, const settings&
                             int power = 2);
 half_slices slices(const picture& p, const receiver& r, const settings& s, int count, int steps,
                    int power = 2);
+half_slices axis_slices(const picture& p, const receiver& r, const settings& s, int steps, int reach);
 
 /// Occlusion in [0, 1] of a receiver from its half slices, by the layers of the picture or by others.
 double gtao(const picture& p, const receiver& r, const settings& s, const half_slices& where);

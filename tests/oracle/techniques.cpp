@@ -47,6 +47,22 @@ const std::vector<technique>& techniques() {
          [](const picture& p, const receiver& r, const settings& s) {
              return cosine_bitmask(p, r, s, slices(p, r, s, 3, 6, 3), false, true);
          }},
+        {"axes:8x24", "hbao",
+         [](const picture& p, const receiver& r, const settings& s) {
+             return hbao(p, r, s, axis_taps(p, r, s, 8, 24));
+         }},
+        {"axes:3x5", "hbao_plus", // the reach is less than the radius
+         [](const picture& p, const receiver& r, const settings& s) {
+             return hbao_plus(p, r, s, axis_taps(p, r, s, 3, 5));
+         }},
+        {"axes:24x12", "hbao_plus", // the radius is less than the steps
+         [](const picture& p, const receiver& r, const settings& s) {
+             return hbao_plus(p, r, s, axis_taps(p, r, s, 24, 12));
+         }},
+        {"axes:5x24", "cosine_bitmask:0x1",
+         [](const picture& p, const receiver& r, const settings& s) {
+             return cosine_bitmask(p, r, s, axis_slices(p, r, s, 5, 24), false, true);
+         }},
     };
     return all;
 }

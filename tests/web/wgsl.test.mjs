@@ -102,7 +102,9 @@ test('crease emit --target wgsl writes the same', () => {
     const manifest = JSON.parse(readFileSync(join(folder, 'crease_shaders.json')));
     manifest.passes.forEach(({shaders: [{format, file}], dialect}, i) => {
         assert.deepEqual([format, dialect], ['wgsl', 'webgpu']);
-        assert.equal(readFileSync(join(folder, file), 'utf8'), passes[i].shaders[0].text);
+        const [origin, ...text] = readFileSync(join(folder, file), 'utf8').split('\n');
+        assert.ok(origin.startsWith('// ') && origin.endsWith('SPDX-License-Identifier: MIT-0'), origin);
+        assert.equal(text.join('\n'), passes[i].shaders[0].text);
     });
 });
 

@@ -65,6 +65,11 @@ constexpr format_words words_of(emit_format format) {
     return all[static_cast<int>(format)];
 }
 
+/// What a text was made of, its version of crease and licence.
+std::string first_line_of(const std::string& text) {
+    return text.substr(0, text.find('\n') + 1);
+}
+
 /// Adds a file for each shader in a format; of a pass that has no SPIR-V its GLSL.
 void add_shaders(std::vector<file>& files, emission& of, emit_format format) {
     std::vector<const spirv::words*> modules; // of which WGSL is made, all at once as node takes its time
@@ -80,7 +85,7 @@ void add_shaders(std::vector<file>& files, emission& of, emit_format format) {
             return;
         files.push_back({name, own == emit_format::glsl    ? joined(pieces)
                                : own == emit_format::spirv ? bytes_of(words)
-                               : own == emit_format::wgsl  ? ""
+                               : own == emit_format::wgsl  ? first_line_of(joined(pieces))
                                                            : spirv::disassemble(words)});
         if (own == emit_format::wgsl) {
             modules.push_back(&words);
@@ -96,7 +101,7 @@ void add_shaders(std::vector<file>& files, emission& of, emit_format format) {
     }
     const std::vector<std::string> texts = wgsl_of(modules);
     for (std::size_t i = 0; i < texts.size(); ++i)
-        files[places[i]].content = texts[i];
+        files[places[i]].content += texts[i];
 }
 
 /// Adds a file for each shader in another language; of the functions of a geometry pass its GLSL.

@@ -9,7 +9,7 @@ async function by_timestamps(device, effect) {
     const resolved = device.createBuffer({size: 16, usage: GPUBufferUsage.QUERY_RESOLVE | GPUBufferUsage.COPY_SRC});
     const read = device.createBuffer({size: 16, usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ});
     const encoder = device.createCommandEncoder();
-    effect.record(encoder, {timestamps});
+    effect().record(encoder, {timestamps});
     encoder.resolveQuerySet(timestamps, 0, 2, resolved, 0);
     encoder.copyBufferToBuffer(resolved, 0, read, 0, 16);
     device.queue.submit([encoder.finish()]);
@@ -20,16 +20,19 @@ async function by_timestamps(device, effect) {
 }
 
 async function by_waiting(device, effect) {
-    effect.run();
+    effect().run();
     await device.queue.onSubmittedWorkDone();
     const begin = performance.now();
     for (let i = 0; i < runs; ++i)
-        effect.run();
+        effect().run();
     await device.queue.onSubmittedWorkDone();
     return (performance.now() - begin) / runs;
 }
 
-/** @return milliseconds, and how they were measured */
+/**
+ * @param effect  gives the effect that is there at a time
+ * @return milliseconds, and how they were measured
+ */
 export async function measure(device, effect) {
     let nanoseconds = 0;
     for (let i = 0; i < runs && device.features.has('timestamp-query'); ++i)

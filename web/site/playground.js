@@ -233,7 +233,7 @@ class Playground {
 
     async #measure_time() {
         const {stage} = this;
-        const {milliseconds, how} = await stage.graphics.measure(stage.effect);
+        const {milliseconds, how} = await stage.measure();
         const shown = by_id('milliseconds');
         shown.textContent = milliseconds.toFixed(2);
         shown.title = how;

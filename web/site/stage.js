@@ -52,7 +52,14 @@ export class Stage {
         this.effect?.dispose();
         this.effect = made;
         this.manifest = manifest;
+        this.#bind(this.orbit ? this.#scene : this.baked);
         return true;
+    }
+
+    #bind(inputs) {
+        for (const {name, kind, lifetime} of this.manifest.resources)
+            if (kind === 'image' && lifetime === 'input')
+                this.effect.bind(name, inputs[name]);
     }
 
     /** Draws the scene through a camera that moves, from its triangles. */
@@ -78,14 +85,17 @@ export class Stage {
         for (const {name, default: fallback} of this.manifest.uniform_block.members)
             if (fallback !== undefined)
                 this.effect.set(name, settings[name] ?? fallback);
-        for (const {name, kind, lifetime} of this.manifest.resources)
-            if (kind === 'image' && lifetime === 'input')
-                this.effect.bind(name, inputs[name]);
+        this.#bind(inputs);
         this.effect.run();
     }
 
     draw({split, beside, truth}) {
         this.graphics.draw(this.effect.texture('visibility'), this.orbit ? null : this.truth_textures[truth] ?? null, {split, beside});
+    }
+
+    /** How long the effect takes, or while that is measured the one that follows it. */
+    measure() {
+        return this.graphics.measure(() => this.effect);
     }
 
     /** The visibility that was drawn last, from 0 to 1, rows from the top. */

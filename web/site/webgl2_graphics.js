@@ -63,7 +63,8 @@ export class WebGL2Graphics {
         return read(this.gl, texture, width, height, format === 'r32_float');
     }
 
+    /** @param effect  gives the effect that is there at a time */
     measure(effect) {
-        return measure(this.gl, () => effect.run());
+        return measure(this.gl, () => effect().run());
     }
 }

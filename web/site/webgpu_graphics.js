@@ -70,6 +70,7 @@ export class WebGPUGraphics {
         return read(this.device, texture);
     }
 
+    /** @param effect  gives the effect that is there at a time */
     measure(effect) {
         return measure(this.device, effect);
     }

@@ -103,11 +103,13 @@ constexpr bool assert_every_need() {
     return (assert_needs<Parts, Parts...>() && ...);
 }
 
-/// What a dialect cannot: of all parts, those that are there by default among them.
+/// What a stage or a dialect cannot: of all parts, those that are there by default among them.
 template <class... Parts>
-constexpr bool assert_glsl_es() {
+constexpr bool assert_whole() {
     constexpr std::string_view said = check(choices_of<Parts...>).sentence;
-    return assert_es_versions<said != es_versions, Parts...>() &&
+    return assert_strips_of_depths<said != strips_of_depths, Parts...>() &&
+           assert_small_strips<said != small_strips, Parts...>() &&
+           assert_es_versions<said != es_versions, Parts...>() &&
            assert_es_fragments<said != es_fragments, Parts...>() &&
            assert_es_loads<said != es_loads, Parts...>() && assert_es_layers<said != es_layers, Parts...>() &&
            assert_es_in_place<said != es_in_place, Parts...>();
@@ -126,7 +128,7 @@ constexpr void assert_each_rule() {
                                             Rest, DepthSource>() &&
                            ...) &&
                           assert_every_need<Sampler, DepthSource, Estimator, Rest...>() &&
-                          assert_glsl_es<Sampler, DepthSource, Estimator, Rest...>());
+                          assert_whole<Sampler, DepthSource, Estimator, Rest...>());
 }
 
 /// Parts that are too few fail by the place that is empty.

@@ -50,7 +50,7 @@ struct part {
     std::string_view summary;                   ///< one line
     std::string_view source;                    ///< paper, chapter, algorithm
     array_view<const glsl_file* const> files{}; ///< its GLSL
-    files_where widened{};                      ///< before these, where more is needed of the part
+    array_view<const files_where> widened{};    ///< before these, each where more is needed of the part
     array_view<const number> numbers{};         ///< whole numbers: specialization constants
     array_view<const setting> settings{};       ///< real numbers that a host may change each frame
     array_view<const resource> resources{};     ///< images and buffers that it reads or fills

@@ -28,14 +28,16 @@ struct program {
 /// The GLSL files in which a pass finds what it calls, the first before the others.
 constexpr file_list files_of(const plan& p, const planned_pass& pass) {
     file_list files;
-    const auto add = [&](const files_where& widened, array_view<const glsl_file* const> own) {
-        if (widened.needed && p.needs(widened.needed))
-            for (const glsl_file* file : widened.files)
-                files.add(file);
+    const auto add = [&](array_view<const glsl_file* const> own) {
         for (const glsl_file* file : own)
             files.add(file);
     };
-    add(pass.what->widened, pass.what->files);
+    const auto widen = [&](const files_where& widened) {
+        if (widened.needed && p.needs(widened.needed))
+            add(widened.files);
+    };
+    widen(pass.what->widened);
+    add(pass.what->files);
     switch (pass.what->kind) {
     case step_kind::texels:
         files.add(&build_glsl);
@@ -52,8 +54,11 @@ constexpr file_list files_of(const plan& p, const planned_pass& pass) {
     if (p.is_glsl_es_300())
         files.add(&glsl_es_300_glsl);
     for (const choice& c : p.parts)
-        if (c.what->kind != role::stage || pass.what->kind == step_kind::result)
-            add(c.what->widened, c.what->files);
+        if (c.what->kind != role::stage || pass.what->kind == step_kind::result) {
+            for (const files_where& widened : c.what->widened)
+                widen(widened);
+            add(c.what->files);
+        }
     for (const glsl_file* file : core_files)
         files.add(file);
     return files;

@@ -23,6 +23,8 @@ namespace crease {
     rule(es_loads, "GLSL ES 3.00 has no storage images, which a part loads")                                           \
     rule(es_layers, "GLSL ES and WebGPU have no way to capture layers, which a part needs")                            \
     rule(es_in_place, "GLSL ES and WebGPU change no image of several numbers in place, as a part does")                \
+    rule(strips_of_depths, "the stage keeps depths in shared memory, and a part needs layers with their opacity")      \
+    rule(small_strips, "what the stage keeps takes more than the 16384 bytes of shared memory that every device has")  \
     rule(few_enough, "an effect has 16 parts at the most")                                                             \
     rule(resource_once, "two parts describe a resource of the same name")                                              \
     rule(known_resource, "a step fills a resource that no part of the effect describes")                               \

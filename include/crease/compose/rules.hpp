@@ -7,6 +7,7 @@
 #include <crease/effect/fixed_list.hpp>
 #include <crease/parts/defaults.hpp>
 #include <crease/parts/reads/image_load.hpp>
+#include <crease/parts/stage/compute_strips.hpp>
 #include <crease/parts/stage/stages.hpp>
 
 #include <cstddef>
@@ -115,6 +116,20 @@ constexpr choice_list complete(array_view<const choice> choices) {
 
 namespace rules {
 
+/// Why the stage cannot keep layers in shared memory.
+/// @param choices  of which the second is the depth source
+constexpr refusal check_strips(array_view<const choice> choices, const choice& stage) {
+    unsigned divisor = 1;
+    for (const choice& c : choices) {
+        divisor *= upsampling_of(c);
+        if (has(c.what->needs, &layers_with_opacity::value))
+            return {strips_of_depths, stage.what->name, c.what->name};
+    }
+    if (strip_bytes(stage, choices[1], divisor) > most_shared_bytes)
+        return {small_strips, stage.what->name, choices[1].what->name};
+    return {};
+}
+
 /// Why GLSL ES or WebGPU cannot what the parts do.
 /// @param all  with the parts of all roles
 constexpr refusal check_dialect(const choice_list& all, const choice& dialect) {
@@ -171,6 +186,10 @@ constexpr refusal check(array_view<const choice> choices) {
         if (rules::takes_full_size(choices[i]) && !rules::input_is_full_size(choices, i))
             return {rules::full_size_input, p.name};
     }
+    for (const choice& c : choices)
+        if (has(c.what->needs, &layers_in_strips::value))
+            if (const refusal refused = rules::check_strips(choices, c))
+                return refused;
     for (const choice& c : choices) {
         if (c.what->kind != role::dialect)
             continue;

@@ -64,6 +64,7 @@
 #include <crease/parts/receivers/every_layer.hpp>
 #include <crease/parts/receivers/first_surface.hpp>
 #include <crease/parts/receivers/thin_layers.hpp>
+#include <crease/parts/sampler/axes.hpp>
 #include <crease/parts/sampler/box_area.hpp>
 #include <crease/parts/sampler/box_window.hpp>
 #include <crease/parts/sampler/directions.hpp>
@@ -80,6 +81,7 @@
 #include <crease/parts/scan/work_efficient_scan.hpp>
 #include <crease/parts/stage/compute.hpp>
 #include <crease/parts/stage/compute_columns.hpp>
+#include <crease/parts/stage/compute_strips.hpp>
 #include <crease/parts/stage/fragment.hpp>
 #include <crease/parts/stage/functions.hpp>
 #include <crease/parts/storage/atomic_minimum.hpp>
@@ -112,6 +114,7 @@ inline constexpr const part* all_parts[] = {
     &directions_part::description,
     &half_directions_part::description,
     &slices_part::description,
+    &axes_part::description,
     &hemisphere_points_part::description,
     &poisson_disk_part::description,
     &tap_grid_part::description,
@@ -202,6 +205,7 @@ inline constexpr const part* all_parts[] = {
     &image_load::description,
     &compute_part::description,
     &compute_columns_part::description,
+    &compute_strips_part::description,
     &fragment::description,
     &functions_part::description,
     &vulkan_glsl::description,

@@ -52,10 +52,11 @@ struct dual_peeled_layers_part {
             "the nearest and the farthest layers of each texel, exactly, in a geometry pass for each two",
         .source = "dual depth peeling, Bavoil and Myers 2008; a-buffer-ssao 2013, V",
         .files = files,
+        .widened = packed_layers_widened,
         .numbers = takes,
         .resources = owns,
         .steps = passes,
-        .offers = traits<depth_layers, layers_behind_front>::list,
+        .offers = traits<depth_layers, layers_behind_front, layers_in_strips>::list,
     };
 };
 

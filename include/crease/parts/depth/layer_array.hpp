@@ -40,11 +40,11 @@ struct layer_array_part {
         .summary = "the nearest layers of each texel, exactly, in an array image",
         .source = "a-buffer-ssao 2013, IV.C, with layers that stay sorted",
         .files = files,
-        .widened = {&layers_with_opacity::value, surface_files},
+        .widened = packed_sources_widened,
         .numbers = takes,
         .resources = owns,
         .steps = passes,
-        .offers = traits<depth_layers, layers_behind_front, layers_with_opacity>::list,
+        .offers = traits<depth_layers, layers_behind_front, layers_with_opacity, layers_in_strips>::list,
     };
 };
 

@@ -22,6 +22,13 @@ CREASE_TRAIT(layers_of_two_views, depth_source,
 CREASE_TRAIT(layers_with_opacity, depth_source,
              "layers are needed with their opacity, and the depth source keeps depths alone");
 
+/// Layers that the stage may keep in shared memory, along the rows and columns of a workgroup: where a part
+/// needs it, `void crease_keep_in_strips(int place, vec2 texel)` keeps those of a texel, one of a source with
+/// nothing behind the front and else the nearest four, and taps look for theirs by
+/// `int crease_strips_place(vec2 texel)`.
+CREASE_TRAIT(layers_in_strips, depth_source,
+             "the stage keeps layers in shared memory, where the depth source does not look for them");
+
 /// Means over areas of the picture, layer by layer.
 CREASE_TRAIT(layers_of_areas, depth_source,
              "the sampler proposes areas, and the depth source holds no means over them");

@@ -179,11 +179,11 @@ struct linear_lists_part {
         .summary = "all fragments in a bounded pool, those of a texel side by side; the nearest are sorted",
         .source = "a-buffer-ssao 2013, IV.B",
         .files = files,
-        .widened = {&layers_with_opacity::value, surface_files},
+        .widened = packed_sources_widened,
         .numbers = takes,
         .resources = owns,
         .steps = passes,
-        .offers = traits<depth_layers, layers_behind_front, layers_with_opacity>::list,
+        .offers = traits<depth_layers, layers_behind_front, layers_with_opacity, layers_in_strips>::list,
         .required_roles = required,
     };
 };

@@ -102,11 +102,11 @@ struct linked_lists_part {
         .summary = "all fragments in lists of a bounded pool, of which the nearest of each texel are sorted",
         .source = "a-buffer-ssao 2013, IV.A",
         .files = files,
-        .widened = {&layers_with_opacity::value, surface_files},
+        .widened = packed_sources_widened,
         .numbers = takes,
         .resources = owns,
         .steps = passes,
-        .offers = traits<depth_layers, layers_behind_front, layers_with_opacity>::list,
+        .offers = traits<depth_layers, layers_behind_front, layers_with_opacity, layers_in_strips>::list,
     };
 };
 

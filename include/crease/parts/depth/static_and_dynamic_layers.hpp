@@ -61,10 +61,11 @@ struct static_and_dynamic_layers_part {
         .summary = "the first layer of static and the first of dynamic geometry",
         .source = "HBAO+, NVIDIA; stochastic-depth-ao 2020, 3",
         .files = files,
+        .widened = packed_layers_widened,
         .numbers = takes,
         .resources = owns,
         .steps = passes,
-        .offers = traits<depth_layers, layers_behind_front>::list,
+        .offers = traits<depth_layers, layers_behind_front, layers_in_strips>::list,
     };
 };
 

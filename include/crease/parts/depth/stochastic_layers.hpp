@@ -34,10 +34,11 @@ struct stochastic_layers_part {
         .summary = "layers behind the first, kept at random as if all surfaces were transparent",
         .source = "stochastic-depth-ao 2020, ch. 5 and 6, Algorithms 4 to 9",
         .files = files,
+        .widened = packed_layers_widened,
         .numbers = takes,
         .resources = packed,
         .steps = passes,
-        .offers = traits<depth_layers, layers_behind_front, layers_of_two_views>::list,
+        .offers = traits<depth_layers, layers_behind_front, layers_of_two_views, layers_in_strips>::list,
         .required_roles = required,
     };
 };

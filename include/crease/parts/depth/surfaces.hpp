@@ -108,4 +108,8 @@ inline constexpr const glsl_file* surface_files[] = {&layers_with_opacity_glsl, 
                                                      &pack_whole_lists_glsl, &encoding_surface_normal_glsl,
                                                      &encoding_octahedron_glsl};
 
+/// What stands before the files of a source that packs its layers, with or without opacity.
+inline constexpr files_where packed_sources_widened[] = {{&layers_with_opacity::value, surface_files},
+                                                         {&layers_in_strips::value, packed_layers_strips}};
+
 }

@@ -45,13 +45,14 @@ struct cosine_bitmask_part {
                                                  &cosine_bitmask_glsl};
     static constexpr const glsl_file* fading[] = {&cosine_bitmask_opacity_march_glsl,
                                                   &cosine_bitmask_opacity_glsl};
+    static constexpr files_where more[] = {{&layers_with_opacity::value, fading}};
     static constexpr part description{
         .kind = role::estimator,
         .name = "cosine_bitmask",
         .summary = "the sectors of the cosine lobe that layers of a thickness hide",
         .source = "Therrien et al. 2023, with sectors of equal cosine-weighted measure",
         .files = files,
-        .widened = {&layers_with_opacity::value, fading},
+        .widened = more,
         .numbers = takes,
         .settings = reads,
         .needs = needs::list,
