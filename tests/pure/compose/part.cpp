@@ -62,6 +62,7 @@ TEST_CASE("a part's GLSL has the part's stem") {
                                             "vulkan",
                                             "webgpu",
                                             "opengl",
+                                            "glsl_es",
                                             "second_view",
                                             "further_views",
                                             "centred_samples",

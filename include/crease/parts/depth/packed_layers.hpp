@@ -16,8 +16,10 @@ inline constexpr glsl_file packed_layers_strips_glsl{
 };
 
 /// What stands before the files of such a source where the stage keeps layers in shared memory.
+/// @{
 inline constexpr const glsl_file* packed_layers_strips[] = {&packed_layers_strips_glsl};
 inline constexpr files_where packed_layers_widened[] = {{&layers_in_strips::value, packed_layers_strips}};
+/// @}
 
 /// As many layers as the first number of the depth source says, in groups of four in a texel each, those of
 /// each camera in a row.

@@ -4,7 +4,7 @@
 #include <crease/parts/depth/fragments.hpp>
 #include <crease/parts/output/octahedron.hpp>
 
-#include <iterator>
+#include <string_view>
 
 namespace crease {
 
