@@ -85,7 +85,7 @@ void add_shaders(std::vector<file>& files, emission& of, emit_format format) {
             return;
         files.push_back({name, own == emit_format::glsl    ? joined(pieces)
                                : own == emit_format::spirv ? bytes_of(words)
-                               : own == emit_format::wgsl  ? first_line_of(joined(pieces))
+                               : own == emit_format::wgsl  ? first_line_of(joined(of.effect.passes[i].pieces))
                                                            : spirv::disassemble(words)});
         if (own == emit_format::wgsl) {
             modules.push_back(&words);

@@ -20,10 +20,15 @@ const formats = {
 
 const storage = {load: 'read-only', store: 'write-only', modify: 'read-write'};
 
+/** WGSL of naga, whose barriers wait for all that there is, where GLSL's wait for shared memory; WebGPU has no such barrier of subgroups. */
+function with_plain_barriers(text) {
+    return text.replace(/^ *(?:subgroup|texture|storage)Barrier\(\);\n/gm, '');
+}
+
 /** The manifest with WGSL in place of its GLSL, by `translate` of the package naga-wasm. */
 export function with_wgsl(manifest, translate) {
     const to_wgsl = ({stage, text}) =>
-        ({format: 'wgsl', stage, text: translate({from: 'glsl', source: text, parse: {stage}, to: 'wgsl'})});
+        ({format: 'wgsl', stage, text: with_plain_barriers(translate({from: 'glsl', source: text, parse: {stage}, to: 'wgsl'}))});
     return {...manifest, passes: manifest.passes.map((pass) => ({...pass, shaders: pass.shaders.map(to_wgsl)}))};
 }
 
