@@ -5,48 +5,17 @@ import {execFileSync} from 'node:child_process';
 import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
-import {after, afterEach, before, beforeEach, test} from 'node:test';
+import {after, test} from 'node:test';
 
-import {serve} from '../../web/serve.mjs';
-import {need_browser, new_page} from './packages.mjs';
 import {apart, rendered} from './pictures.mjs';
+import {floats, open, page, use_playground, visibility} from './playground_page.mjs';
 
-const {CREASE, SITE} = process.env;
-const launch = need_browser();
+const {CREASE} = process.env;
 const folder = mkdtempSync(join(tmpdir(), 'crease-playground-'));
-let server, address, browser, page, messages;
 
-before(async () => {
-    ({server, address} = await serve(SITE));
-    browser = await launch();
-});
-
-after(async () => {
-    await browser?.close();
-    server?.close();
-    rmSync(folder, {recursive: true, force: true});
-});
-
-beforeEach(async () => {
-    messages = [];
-    page = await new_page(browser, {viewport: {width: 1280, height: 1400}});
-    page.on('pageerror', (error) => messages.push(error.message));
-    page.on('console', (message) => {
-        // How a headless browser shows a canvas, and finds no device for WebGPU.
-        if (!/GPU stall due to ReadPixels|No available adapters/.test(message.text()))
-            messages.push(message.text());
-    });
-});
-
-afterEach(async () => {
-    await page.close();
-    assert.deepEqual(messages, []);
-});
-
-async function open(fragment = '') {
-    await page.goto(`${address}index.html${fragment && `#${fragment}`}`);
-    await page.waitForFunction(() => document.body.dataset.drawn || document.getElementById('refusal').textContent);
-}
+// How a headless browser shows a canvas, and finds no device for WebGPU.
+use_playground(/GPU stall due to ReadPixels|No available adapters/);
+after(() => rmSync(folder, {recursive: true, force: true}));
 
 function drawn(recipe) {
     return page.waitForFunction((expected) => document.body.dataset.drawn === expected, recipe);
@@ -54,23 +23,6 @@ function drawn(recipe) {
 
 function text_of(id) {
     return page.locator(`#${id}`).textContent();
-}
-
-/** An array of numbers that the page has, as text, which goes much faster than numbers do. */
-async function floats(of_page) {
-    const numbers = await page.evaluateHandle(of_page);
-    const text = await numbers.evaluate((all) => {
-        const bytes = new Uint8Array(Float32Array.from(all).buffer);
-        let made = '';
-        for (let i = 0; i < bytes.length; i += 4096)
-            made += String.fromCharCode(...bytes.subarray(i, i + 4096));
-        return btoa(made);
-    });
-    return new Float32Array(Uint8Array.from(Buffer.from(text, 'base64')).buffer);
-}
-
-function visibility() {
-    return floats(() => globalThis.playground.stage.visibility());
 }
 
 for (const recipe of [

@@ -4,56 +4,22 @@ import assert from 'node:assert/strict';
 import {mkdtempSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
-import {after, afterEach, before, beforeEach, test} from 'node:test';
+import {after, test} from 'node:test';
 
-import {serve} from '../../web/serve.mjs';
-import {need, need_browser, new_page} from './packages.mjs';
+import {need} from './packages.mjs';
 import {apart, rendered} from './pictures.mjs';
+import {open, page, use_playground, visibility} from './playground_page.mjs';
 
-const {SITE} = process.env;
 need('naga-wasm');
-const launch = need_browser();
 const folder = mkdtempSync(join(tmpdir(), 'crease-playground-webgpu-'));
-let server, address, browser, page, messages;
 
-before(async () => {
-    ({server, address} = await serve(SITE));
-    // Without the latter three a canvas of WebGPU ends the process that draws.
-    browser = await launch('--enable-unsafe-webgpu', '--enable-features=Vulkan', '--use-vulkan=swiftshader', '--use-angle=swiftshader');
-});
-
-after(async () => {
-    await browser?.close();
-    server?.close();
-    rmSync(folder, {recursive: true, force: true});
-});
-
-beforeEach(async () => {
-    messages = [];
-    page = await new_page(browser, {viewport: {width: 1280, height: 1400}});
-    page.on('pageerror', (error) => messages.push(error.message));
-    page.on('console', (message) => {
-        if (!/GPU stall due to ReadPixels/.test(message.text())) // how a headless browser shows a canvas
-            messages.push(message.text());
-    });
-});
-
-afterEach(async () => {
-    await page.close();
-    assert.deepEqual(messages, []);
-});
-
-async function open(fragment) {
-    await page.goto(`${address}index.html#${fragment}`);
-    await page.waitForFunction(() => document.body.dataset.drawn || document.getElementById('refusal').textContent);
-}
+// Without the latter three arguments a canvas of WebGPU ends the process that draws.
+use_playground(/GPU stall due to ReadPixels/, // how a headless browser shows a canvas
+               '--enable-unsafe-webgpu', '--enable-features=Vulkan', '--use-vulkan=swiftshader', '--use-angle=swiftshader');
+after(() => rmSync(folder, {recursive: true, force: true}));
 
 function drawn(recipe, device) {
     return page.waitForFunction(([expected, by]) => document.body.dataset.drawn === expected && document.body.dataset.device === by, [recipe, device]);
-}
-
-function visibility() {
-    return page.evaluate(async () => Array.from(await globalThis.playground.stage.visibility()));
 }
 
 for (const recipe of [

@@ -11,7 +11,7 @@ import {fileURLToPath, pathToFileURL} from 'node:url';
 import {read_pfm} from '../../web/bake/pfm.mjs';
 import {views} from '../../web/bake/scenes.mjs';
 import {reversed_projection_matrix} from '../../web/site/camera.js';
-import {fill, read, texture_of} from '../../web/site/gpu.js';
+import {fill, read, texture_of, with_fourth} from '../../web/site/gpu.js';
 import {need_adapter} from './dawn.mjs';
 import {need, require} from './packages.mjs';
 import {apart, rendered} from './pictures.mjs';
@@ -31,10 +31,9 @@ before(async () => {
     const timed = ['timestamp-query'].filter((feature) => adapter.features.has(feature));
     device = await adapter.requestDevice({requiredFeatures: timed});
     rendered(folder, 'directions:4x4/single_layer/hbao', camera);
-    const normals = read_pfm(join(folder, 'normal.pfm')).texels;
     inputs = {
         depth: uploaded('r32float', 4, read_pfm(join(folder, 'depth.pfm')).texels),
-        normal: uploaded('rgba32float', 16, Float32Array.from({length: 4 * width * height}, (_, i) => (i % 4 < 3 ? normals[3 * Math.floor(i / 4) + i % 4] : 0))),
+        normal: uploaded('rgba32float', 16, with_fourth(read_pfm(join(folder, 'normal.pfm')).texels)),
     };
 });
 

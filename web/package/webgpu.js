@@ -27,8 +27,10 @@ function with_plain_barriers(text) {
 
 /** The manifest with WGSL in place of its GLSL, by `translate` of the package naga-wasm. */
 export function with_wgsl(manifest, translate) {
-    const to_wgsl = ({stage, text}) =>
-        ({format: 'wgsl', stage, text: with_plain_barriers(translate({from: 'glsl', source: text, parse: {stage}, to: 'wgsl'}))});
+    const to_wgsl = ({stage, text}) => {
+        const [origin] = text.match(/^\/\/.*\n/) ?? ['']; // the recipe and the licence: naga keeps no comment
+        return {format: 'wgsl', stage, text: origin + with_plain_barriers(translate({from: 'glsl', source: text, parse: {stage}, to: 'wgsl'}))};
+    };
     return {...manifest, passes: manifest.passes.map((pass) => ({...pass, shaders: pass.shaders.map(to_wgsl)}))};
 }
 

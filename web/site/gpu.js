@@ -10,6 +10,14 @@ export function fill(device, texture, bytes, texels) {
     device.queue.writeTexture({texture}, texels, {bytesPerRow: bytes * width}, [width, height]);
 }
 
+/** WebGPU has no images of three floats. */
+export function with_fourth(texels) {
+    const made = new Float32Array(texels.length / 3 * 4);
+    for (let from = 0, to = 0; from < texels.length; from += 3, to += 4)
+        made.set(texels.subarray(from, from + 3), to);
+    return made;
+}
+
 /** A pipeline that draws triangles to images of some formats by the functions `corner` and `shade` of a module. */
 export function pipeline_of(device, code, formats, more = {}) {
     const module = device.createShaderModule({code});

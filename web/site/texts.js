@@ -73,12 +73,8 @@ export class Texts {
     async #wgsl() {
         const recipe = this.#recipe_in(['webgpu']), command = `crease emit ${this.recipe} --target wgsl`;
         try {
-            const effect = this.crease.compose(recipe), heads = shaders_of(effect.passes).map(({text}) => text.match(/^\/\/.*\n/)?.[0] ?? '');
-            const shaders = shaders_of(with_wgsl(effect, await load_naga()).passes);
-            return {
-                note: 'By naga of GLSL. The command has naga make it of SPIR-V: other words, the same numbers.', command,
-                shaders: shaders.map(({name, text}, i) => ({name, text: heads[i] + text})), // naga keeps no comment, so no licence
-            };
+            const {passes} = with_wgsl(this.crease.compose(recipe), await load_naga());
+            return {note: 'By naga of GLSL. The command has naga make it of SPIR-V: other words, the same numbers.', command, shaders: shaders_of(passes)};
         } catch (error) {
             return {note: error.message, command, shaders: []};
         }

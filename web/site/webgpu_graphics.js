@@ -2,7 +2,7 @@
 // What the page draws by, in WebGPU.
 import {WebGPUEffect, with_wgsl} from './package/webgpu.js';
 
-import {fill, read, texture_of} from './gpu.js';
+import {fill, read, texture_of, with_fourth} from './gpu.js';
 import {measure} from './gpu_clock.js';
 import {GPUPicture} from './gpu_picture.js';
 import {GPUScene} from './gpu_scene.js';
@@ -28,10 +28,10 @@ export class WebGPUGraphics {
     }
 
     static async open(canvas) {
-        const reason = await this.missing();
-        if (reason)
-            throw new Error(reason);
-        const [translate, found] = await Promise.all([load_naga(), adapter()]);
+        const found = await adapter();
+        if (!found)
+            throw new Error(await this.missing());
+        const translate = await load_naga();
         const requiredFeatures = ['timestamp-query'].filter((feature) => found.features.has(feature));
         return new WebGPUGraphics(await found.requestDevice({requiredFeatures}), canvas, translate);
     }
@@ -74,12 +74,4 @@ export class WebGPUGraphics {
     measure(effect) {
         return measure(this.device, effect);
     }
-}
-
-/** WebGPU has no images of three floats. */
-function with_fourth(texels) {
-    const made = new Float32Array(texels.length / 3 * 4);
-    for (let from = 0, to = 0; from < texels.length; from += 3, to += 4)
-        made.set(texels.subarray(from, from + 3), to);
-    return made;
 }
