@@ -159,33 +159,31 @@ test('the text is that of the command, in the dialect that is chosen', async () 
     await page.waitForFunction(() => document.getElementById('text').textContent.includes('#version 300 es'));
 });
 
-test('other languages are those of the command, and where the page has none it says so and names the command', async () => {
+test('other languages are those of the command where the page holds them, else those of naga, and it says whose they are', async () => {
     await open('recipe=preset:medium');
     await drawn('preset:medium');
-    const choose = async (language, noted) => {
+    const choose = async (language, recipe, noted) => {
         await page.locator('#language').selectOption(language);
-        await page.waitForFunction((sentence) => document.getElementById('command').textContent.includes('--target') &&
-            document.getElementById('text-note').textContent.includes(sentence), noted);
+        await page.waitForFunction(([command, sentence]) => document.getElementById('command').textContent === command &&
+            document.getElementById('text-note').textContent.includes(sentence), [`crease emit ${recipe} --target ${language}`, noted]);
     };
     for (const [language, extension] of [['hlsl', 'hlsl'], ['msl', 'metal']]) {
-        await choose(language, '');
+        await choose(language, 'preset:medium', 'By SPIRV-Cross');
         execFileSync(CREASE, ['emit', 'preset:medium', '--target', language, '-o', folder], {stdio: 'ignore'});
-        const expected = readFileSync(join(folder, `0_visibility.comp.${extension}`), 'utf8');
-        await page.waitForFunction((text) => document.getElementById('text').textContent === text, expected);
-        assert.equal(await text_of('command'), `crease emit preset:medium --target ${language}`);
+        assert.equal(await text_of('text'), readFileSync(join(folder, `0_visibility.comp.${extension}`), 'utf8'));
     }
-    const word = (await page.evaluate(() => globalThis.playground.crease.compose('preset:medium').recipe)).replace('1x8x2', '2x9x2');
-    await page.locator('#recipe').fill(word);
-    await page.keyboard.press('Enter');
-    await drawn(word);
-    await choose('msl', 'other numbers: this is half_directions:1x8x2/');
-    assert.notEqual(await text_of('text'), '');
-    await page.locator('#recipe').fill('sphere_points/single_layer/ssao/blue_noise');
-    await page.keyboard.press('Enter');
-    await choose('msl', 'and not this one');
-    assert.equal(await text_of('text'), '');
-    assert.equal(await text_of('command'), 'crease emit sphere_points/single_layer/ssao/blue_noise --target msl');
-    await choose('wgsl', 'By naga of GLSL');
+    const other = (await page.evaluate(() => globalThis.playground.crease.compose('preset:medium').recipe)).replace('1x8x2', '2x9x2');
+    for (const recipe of [other, 'sphere_points/single_layer/ssao/blue_noise']) {
+        await page.locator('#recipe').fill(recipe);
+        await page.keyboard.press('Enter');
+        for (const [language, says, entry] of [['msl', 'MSL 2.1', '] kernel void main_('], ['hlsl', 'HLSL 5.0', '\nvoid main(']]) {
+            await choose(language, recipe, 'By naga in this page');
+            const text = await text_of('text');
+            assert.ok(text.startsWith(`// ${recipe}`) && text.split('\n')[0].includes(`, as ${says} by naga; crease`), text.slice(0, 200));
+            assert.ok(text.includes(entry), recipe);
+        }
+    }
+    await choose('wgsl', 'sphere_points/single_layer/ssao/blue_noise', 'By naga of GLSL');
     assert.match(await text_of('text'), /^\/\/ sphere_points.*SPDX-License-Identifier: MIT-0\n.*@compute @workgroup_size\(/s);
 });
 
