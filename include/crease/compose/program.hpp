@@ -446,7 +446,7 @@ private:
                                       : ", 0).xy; }\n");
             if (uses("levels_of_", b.name) && is_es_) // which does not tell
                 text << "\nint crease_levels_of_" << b.name << "() {\n    ivec2 size = textureSize(crease_"
-                     << b.name << ", 0);\n    return min(" << r.levels
+                     << b.name << ", 0).xy;\n    return min(" << r.levels
                      << ", 1 + findMSB(max(size.x, size.y)));\n}\n";
             else if (uses("levels_of_", b.name))
                 text << "\nint crease_levels_of_" << b.name << "() { return textureQueryLevels(crease_"

@@ -5,7 +5,6 @@ uvec4 crease_no_coarse_layer();
 bool crease_is_coarse_layer(uvec4 layer);
 crease_contribution crease_weigh_coarse_layer(crease_march march, crease_receiver receiver, crease_tap tap, uvec4 layer);
 crease_contribution crease_combine(crease_contribution a, crease_contribution b);
-crease_fetched crease_fetch(vec2 texel);
 #else
 __LINE__, R"glsl("
 #endif
@@ -18,15 +17,11 @@ struct crease_layers {
 
 bool crease_multi_resolution_own = false; // whether the tap that is fetched is left out
 
+void crease_multi_resolution_leave_out(bool own) { crease_multi_resolution_own = own; }
+
 ivec2 crease_coarse_texel(vec2 texel) {
     ivec2 last = crease_size_of_resolutions(crease_resolution() - 1) - 1;
     return clamp(ivec2(texel) >> crease_resolution(), ivec2(0), last);
-}
-
-// A tap that falls on the receiver's texel of that picture finds nothing there.
-crease_fetched crease_fetch_tap(crease_pattern pattern, crease_receiver receiver, int step, inout crease_tap tap) {
-    crease_multi_resolution_own = crease_coarse_texel(tap.texel) == receiver.pixel;
-    return crease_fetch(tap.texel);
 }
 
 crease_layers crease_fetch_first_layers(vec2 texel) {

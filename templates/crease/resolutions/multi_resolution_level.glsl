@@ -2,6 +2,9 @@
 #ifndef __cplusplus
 vec3 crease_unpack_surface_normal(uint word);
 bool crease_is_coarse_layer(uvec4 layer);
+ivec2 crease_coarse_texel(vec2 texel);
+void crease_multi_resolution_leave_out(bool own);
+crease_fetched crease_fetch(vec2 texel);
 crease_receiver crease_make_receiver(ivec2 pixel, vec2 texel, vec3 position, vec3 normal);
 crease_receiver crease_turned_round(crease_receiver receiver);
 crease_receiver crease_with_reach(crease_receiver receiver);
@@ -15,6 +18,12 @@ __LINE__, R"glsl("
 
 // Gathers in a smaller picture, and hands on what that one and all coarser ones have found.
 int crease_resolution() { return crease_multi_resolution_level; }
+
+// A tap that falls on the receiver's texel of that picture finds nothing there.
+crease_fetched crease_fetch_tap(crease_pattern pattern, crease_receiver receiver, int step, inout crease_tap tap) {
+    crease_multi_resolution_leave_out(crease_coarse_texel(tap.texel) == receiver.pixel);
+    return crease_fetch(tap.texel);
+}
 
 // Of each layer that receives, and where both sides of it do, of the side that is seen and then of the other.
 void crease_build(ivec2 texel) {
