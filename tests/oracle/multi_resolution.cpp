@@ -2,7 +2,7 @@
 // Occlusion of several resolutions against the equations of Hoang and Low 2010: pictures halved by the middle
 // of four texels, an occlusion from near texels in each, and from coarse to fine their greatest and their
 // mean. Of layers each is halved with those of the same place in order, and finds in coarser texels the layer
-// that is the most like itself.
+// that goes on with its surface.
 #include "abuffer.hpp"
 #include "run.hpp"
 
@@ -166,20 +166,23 @@ occlusions together(const picture& p, const settings& s, const shape& how, const
                       v = std::clamp((y >> 1) + (j ? (y % 2 ? 1 : -1) : 0), 0, next.height - 1);
             const double bilinear = (i ? 0.25 : 0.75) * (j ? 0.25 : 0.75);
             const std::vector<layer>& there = next.at(u, v);
-            double alike = 0;
+            const auto likeness = [&](const layer& each, double apart) {
+                const double of_normal = std::pow((glm::dot(each.normal, here.normal) + 1) / 2, 8);
+                return of_normal * std::pow(1 / (1 + std::abs(apart) / s.radius), 16);
+            };
+            double most = 0;
             std::size_t likest = 0;
             for (std::size_t k = 0; k < there.size(); ++k) {
-                const double of_normal = std::pow((glm::dot(there[k].normal, here.normal) + 1) / 2, 8);
-                const double apart = std::abs(there[k].position.z - here.position.z) / s.radius;
-                const double own_likeness = of_normal * std::pow(1 / (1 + apart), 16);
-                if (own_likeness > alike) {
-                    alike = own_likeness;
+                const double from_plane = glm::dot(there[k].position - here.position, here.normal);
+                if (likeness(there[k], from_plane) > most) {
+                    most = likeness(there[k], from_plane);
                     likest = k;
                 }
             }
             if (there.empty())
                 continue;
-            const double weight = bilinear * alike;
+            const double weight =
+                bilinear * likeness(there[likest], there[likest].position.z - here.position.z);
             const occlusions& found =
                 of_coarser[static_cast<std::size_t>(v) * static_cast<std::size_t>(next.width) +
                            static_cast<std::size_t>(u)][likest][side];

@@ -19,24 +19,29 @@ crease_receiver crease_with_reach(crease_receiver receiver) {
     return receiver;
 }
 
-// How alike a layer of a coarser texel is to the receiver's surface: Hoang and Low 2010, with depths in radii.
-float crease_multi_resolution_likeness(uvec4 layer, crease_receiver receiver) {
+// How alike a layer of a coarser texel is to the receiver's surface, so far apart: Hoang and Low 2010, in radii.
+float crease_multi_resolution_likeness(uvec4 layer, crease_receiver receiver, float apart) {
     float facing = crease_eye_side(receiver) * dot(crease_unpack_surface_normal(layer.w), receiver.normal);
-    float near = 1.0 / (1.0 + abs(uintBitsToFloat(layer.z) - receiver.position.z) / crease_radius);
+    float near = 1.0 / (1.0 + abs(apart) / crease_radius);
     return pow(max(0.5 + 0.5 * facing, 0.0), 8.0) * pow(near, 16.0);
 }
 
-// What the layer of a coarser texel that is most like the receiver's surface has found, and how alike it is.
+// What a coarser texel has found for the layer that goes on with the receiver's surface, and how alike it is in depth. Both
+// sides of a slab are like it in depth where they are seen at a grazing angle, and one lies in its plane.
 vec3 crease_multi_resolution_likest(ivec2 texel, int resolution, crease_receiver receiver) {
     int likest = 0;
-    float likeness = 0.0;
+    float most = 0.0, likeness = 0.0;
     for (int i = 0; i < crease_most_receivers; ++i) {
         uvec4 layer = crease_load_resolutions(ivec3(texel, i), resolution - 1);
         if (!crease_is_coarse_layer(layer))
             break;
-        float own = crease_multi_resolution_likeness(layer, receiver);
-        likest = own > likeness ? i : likest;
-        likeness = max(own, likeness);
+        vec3 way = uintBitsToFloat(layer.xyz) - receiver.position;
+        float own = crease_multi_resolution_likeness(layer, receiver, dot(way, receiver.normal));
+        if (own > most) {
+            most = own;
+            likest = i;
+            likeness = crease_multi_resolution_likeness(layer, receiver, way.z);
+        }
     }
     if (crease_eye_side(receiver) < 0.0)
         likest += crease_most_receivers;
