@@ -56,7 +56,7 @@ struct dual_peeled_layers_part {
         .numbers = takes,
         .resources = owns,
         .steps = passes,
-        .offers = traits<depth_layers, layers_behind_front, layers_in_strips>::list,
+        .offers = traits<depth_layers, sorted_layers, layers_behind_front, layers_in_strips>::list,
     };
 };
 
