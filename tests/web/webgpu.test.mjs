@@ -149,3 +149,18 @@ test('what cannot be is refused in a sentence', async () => {
     assert.throws(() => effect.set('nobody', 1), /^RangeError: crease: the effect has no parameter 'nobody'$/);
     assert.throws(() => effect.set('strength', -1), /^RangeError: crease: 'strength' must be from 0 to /);
 });
+
+test('a device that was lost is told of, before an effect is made and after', async () => { // the last, as it leaves none
+    const manifest = composed('directions:4x4/single_layer/hbao'), effect = await made(manifest);
+    effect.run();
+    const begun = webgpu.WebGPUEffect.create(device, manifest, width, height);
+    assert.equal(effect.lost, false);
+    device.destroy();
+    await device.lost;
+    const sentence = /^Error: crease: the device was lost, so make another, and the effect anew on it: ./;
+    assert.equal(effect.lost, true);
+    assert.throws(() => effect.run(), sentence);
+    await assert.rejects(begun, sentence);
+    await assert.rejects(webgpu.WebGPUEffect.create(device, manifest, width, height), sentence);
+    effect.dispose();
+});

@@ -10,6 +10,7 @@ import {after, before, test} from 'node:test';
 import {pathToFileURL} from 'node:url';
 
 import {need, require} from './packages.mjs';
+import {webgpu_recipes} from './recipes.mjs';
 
 const {EMIT, MODULES, PACKAGE} = process.env;
 need('naga-wasm', 'webgpu');
@@ -30,23 +31,6 @@ after(() => {
     device?.destroy();
     rmSync(folder, {recursive: true, force: true});
 });
-
-const names_of = (role) => crease.parts.filter((part) => part.role === role).map(({name}) => name);
-
-/** Every sampler and estimator over every source, and every other part once. */
-function recipes() {
-    const fits = (recipe) => crease.check(`${recipe}/webgpu`) === '';
-    const three = names_of('depth source').flatMap((source) =>
-        names_of('sampler').flatMap((sampler) => names_of('estimator').map((estimator) => `${sampler}/${source}/${estimator}`)));
-    const roles = ['projection', 'depth encoding', 'normals', 'noise', 'output', 'output format', 'filter', 'stage'];
-    const base = 'directions:4x4/single_layer/hbao';
-    return [
-        ...three,
-        ...roles.flatMap((role) => names_of(role).map((name) => `${base}/${name}`)),
-        ...names_of('filter').map((name) => `${base}/${name}/fragment/bent_cone`),
-        ...crease.presets.map(({name}) => `preset:${name}`),
-    ].filter(fits).filter((recipe) => !recipe.includes('functions'));
-}
 
 /** The manifest, with a translation in place of each file's name. */
 function translated(recipe) {
@@ -71,7 +55,7 @@ async function complaint(manifest) {
 
 test('naga translates every effect of a choice, and its GLSL too, and Dawn makes pipelines of both', async (context) => {
     const seen = new Set();
-    const all = recipes();
+    const all = webgpu_recipes(crease);
     for (const recipe of all)
         for (const [from, manifest] of [['SPIR-V', translated(recipe)],
                                         ['GLSL', webgpu.with_wgsl(crease.compose(`${recipe}/webgpu`), naga.translate)]]) {

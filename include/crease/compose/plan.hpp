@@ -6,7 +6,6 @@
 #include <crease/effect/parameters.hpp>
 #include <crease/effect/pass.hpp>
 #include <crease/parts/output/outputs.hpp>
-#include <crease/parts/stage/compute_strips.hpp>
 #include <crease/parts/stage/stages.hpp>
 
 namespace crease {
@@ -74,9 +73,7 @@ struct plan {
     }
 };
 
-inline constexpr const glsl_file* main_with_strips[] = {&compute_strips_glsl};
-inline constexpr step main_step{.name = "visibility",
-                                .widened = {&layers_in_strips::value, main_with_strips}};
+inline constexpr step main_step{.name = "visibility"};
 
 namespace planning {
 

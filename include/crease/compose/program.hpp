@@ -55,6 +55,8 @@ constexpr file_list files_of(const plan& p, const planned_pass& pass) {
         files.add(&glsl_es_300_glsl);
     for (const choice& c : p.parts)
         if (c.what->kind != role::stage || pass.what->kind == step_kind::result) {
+            if (pass.what == &main_step)
+                add(c.what->main_files);
             for (const files_where& widened : c.what->widened)
                 widen(widened);
             add(c.what->files);
@@ -301,9 +303,10 @@ private:
     }
     constexpr bool is_linked(const choice& c) const {
         for (const linker::linked& each : found_.order())
-            for (const glsl_file* file : c.what->files)
-                if (each.from->file == file)
-                    return true;
+            for (const array_view<const glsl_file* const> files : {c.what->files, c.what->main_files})
+                for (const glsl_file* file : files)
+                    if (each.from->file == file)
+                        return true;
         return false;
     }
 
