@@ -14,6 +14,7 @@ inline std::set<const crease::glsl_file*> all_glsl_files() {
     };
     for (const crease::part* each : crease::all_parts) {
         add(each->files);
+        add(each->main_files);
         for (const crease::files_where& widened : each->widened)
             add(widened.files);
         for (const crease::step& step : each->steps) {
@@ -22,7 +23,6 @@ inline std::set<const crease::glsl_file*> all_glsl_files() {
         }
     }
     add(crease::core_files);
-    add(crease::main_step.widened.files);
     for (const crease::glsl_file* file :
          {&crease::build_glsl, &crease::build_rows_glsl, &crease::build_columns_glsl,
           &crease::fullscreen_glsl, &crease::glsl_es_300_glsl})

@@ -9,7 +9,8 @@ const {CHROMIUM, MODULES} = process.env;
 /** Finds npm's packages where the test web_modules has installed them. */
 export const require = createRequire(join(MODULES, '..', 'package.json'));
 
-function skip_without(what, path) {
+/** Ends a test that needs a program or a folder which is not there. */
+export function skip_without(what, path) {
     if (existsSync(path))
         return;
     console.log(`skipped: ${what} is missing`);

@@ -13,8 +13,8 @@ import {floats, open, page, use_playground, visibility} from './playground_page.
 const {CREASE} = process.env;
 const folder = mkdtempSync(join(tmpdir(), 'crease-playground-'));
 
-// How a headless browser shows a canvas, and finds no device for WebGPU.
-use_playground(/GPU stall due to ReadPixels|No available adapters/);
+// How a headless browser shows a canvas, finds no device for WebGPU, and loses a context.
+use_playground(/GPU stall due to ReadPixels|No available adapters|CONTEXT_LOST_WEBGL/);
 after(() => rmSync(folder, {recursive: true, force: true}));
 
 function drawn(recipe) {
@@ -159,33 +159,31 @@ test('the text is that of the command, in the dialect that is chosen', async () 
     await page.waitForFunction(() => document.getElementById('text').textContent.includes('#version 300 es'));
 });
 
-test('other languages are those of the command, and where the page has none it says so and names the command', async () => {
+test('other languages are those of the command where the page holds them, else those of naga, and it says whose they are', async () => {
     await open('recipe=preset:medium');
     await drawn('preset:medium');
-    const choose = async (language, noted) => {
+    const choose = async (language, recipe, noted) => {
         await page.locator('#language').selectOption(language);
-        await page.waitForFunction((sentence) => document.getElementById('command').textContent.includes('--target') &&
-            document.getElementById('text-note').textContent.includes(sentence), noted);
+        await page.waitForFunction(([command, sentence]) => document.getElementById('command').textContent === command &&
+            document.getElementById('text-note').textContent.includes(sentence), [`crease emit ${recipe} --target ${language}`, noted]);
     };
     for (const [language, extension] of [['hlsl', 'hlsl'], ['msl', 'metal']]) {
-        await choose(language, '');
+        await choose(language, 'preset:medium', 'By SPIRV-Cross');
         execFileSync(CREASE, ['emit', 'preset:medium', '--target', language, '-o', folder], {stdio: 'ignore'});
-        const expected = readFileSync(join(folder, `0_visibility.comp.${extension}`), 'utf8');
-        await page.waitForFunction((text) => document.getElementById('text').textContent === text, expected);
-        assert.equal(await text_of('command'), `crease emit preset:medium --target ${language}`);
+        assert.equal(await text_of('text'), readFileSync(join(folder, `0_visibility.comp.${extension}`), 'utf8'));
     }
-    const word = (await page.evaluate(() => globalThis.playground.crease.compose('preset:medium').recipe)).replace('1x8x2', '2x9x2');
-    await page.locator('#recipe').fill(word);
-    await page.keyboard.press('Enter');
-    await drawn(word);
-    await choose('msl', 'other numbers: this is half_directions:1x8x2/');
-    assert.notEqual(await text_of('text'), '');
-    await page.locator('#recipe').fill('sphere_points/single_layer/ssao/blue_noise');
-    await page.keyboard.press('Enter');
-    await choose('msl', 'and not this one');
-    assert.equal(await text_of('text'), '');
-    assert.equal(await text_of('command'), 'crease emit sphere_points/single_layer/ssao/blue_noise --target msl');
-    await choose('wgsl', 'By naga of GLSL');
+    const other = (await page.evaluate(() => globalThis.playground.crease.compose('preset:medium').recipe)).replace('1x8x2', '2x9x2');
+    for (const recipe of [other, 'sphere_points/single_layer/ssao/blue_noise']) {
+        await page.locator('#recipe').fill(recipe);
+        await page.keyboard.press('Enter');
+        for (const [language, says, entry] of [['msl', 'MSL 2.1', '] kernel void main_('], ['hlsl', 'HLSL 5.0', '\nvoid main(']]) {
+            await choose(language, recipe, 'By naga in this page');
+            const text = await text_of('text');
+            assert.ok(text.startsWith(`// ${recipe.match(/^\w+/)[0]}:`) && text.split('\n')[0].includes(`, as ${says} by naga; crease`), text.slice(0, 200));
+            assert.ok(text.includes(entry), recipe);
+        }
+    }
+    await choose('wgsl', 'sphere_points/single_layer/ssao/blue_noise', 'By naga of GLSL');
     assert.match(await text_of('text'), /^\/\/ sphere_points.*SPDX-License-Identifier: MIT-0\n.*@compute @workgroup_size\(/s);
 });
 
@@ -202,6 +200,37 @@ test('the camera turns', async () => {
     assert.ok(apart(turned, picture).mean > 0.01);
     assert.match(page.url(), /orbit=-0\.1,0,1/);
     assert.equal(await text_of('rmse-hard'), '–');
+});
+
+test('of a lost context a sentence tells, and a button draws the same picture on another', async () => {
+    const recipe = 'directions:4x4/single_layer/hbao', other = `${recipe}/bilateral`;
+    await open(`recipe=${recipe}`);
+    await drawn(recipe);
+    const picture = await visibility();
+    await page.evaluate(() => {
+        const {effect, graphics: {gl}} = globalThis.playground.stage;
+        Object.assign(globalThis, {effect_before: effect, is_lost_before: effect.lost});
+        gl.getExtension('WEBGL_lose_context').loseContext();
+        try {
+            effect.run();
+        } catch ({message}) {
+            globalThis.said_by_effect = message;
+        }
+    });
+    assert.equal(await page.evaluate(() => globalThis.said_by_effect), 'crease: the context of WebGL 2 was lost, so make the effect anew once it is restored');
+    const again = page.getByRole('alert').getByRole('button', {name: 'Draw again'});
+    await again.waitFor();
+    assert.match(await text_of('lost'), /^The browser lost WebGL 2, and with it the picture: .*\. Draw again$/);
+    assert.deepEqual(await page.evaluate(() => [globalThis.is_lost_before, globalThis.effect_before.lost]), [false, true]);
+    await page.locator('#recipe').fill(other);
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => document.getElementById('refusal').textContent.startsWith('crease: the context of WebGL 2 is lost'));
+    await page.locator('#recipe').fill(recipe);
+    await page.keyboard.press('Enter');
+    await again.click();
+    await drawn(recipe);
+    assert.deepEqual([await text_of('lost'), await text_of('refusal')], ['', '']);
+    assert.deepEqual(await visibility(), picture);
 });
 
 test('the first picture comes soon, of less than 3 MB', async () => {

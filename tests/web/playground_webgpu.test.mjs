@@ -67,6 +67,24 @@ test('the camera turns, and the picture is that of WebGL 2', async () => {
     assert.ok(apart(picture, rendered(folder, recipe)).mean > 0.01);
 });
 
+test('of a lost device a sentence tells, and a button draws the same picture on another', async () => {
+    const recipe = 'directions:4x4/single_layer/hbao';
+    await open(`recipe=${recipe}&device=webgpu`);
+    await drawn(recipe, 'webgpu');
+    const picture = await visibility();
+    await page.evaluate(() => {
+        globalThis.playground.stage.graphics.device.destroy();
+        document.getElementById('split').dispatchEvent(new Event('input')); // which draws before the loss is told
+    });
+    const again = page.getByRole('alert').getByRole('button', {name: 'Draw again'});
+    await again.waitFor();
+    assert.match(await page.locator('#lost').textContent(), /^The browser lost WebGPU, /);
+    await again.click();
+    await drawn(recipe, 'webgpu');
+    assert.equal(await page.locator('#lost').textContent(), '');
+    assert.deepEqual(await visibility(), picture);
+});
+
 test('where there is no device a sentence says so, and WebGL 2 draws', async () => {
     await page.addInitScript(() => Object.defineProperty(navigator, 'gpu', {value: {requestAdapter: async () => null}}));
     const recipe = 'directions:4x4/single_layer/hbao';

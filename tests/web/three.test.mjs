@@ -117,6 +117,14 @@ test('pixel ratios and changes of size: visibility has the size of what the pass
     assert.deepEqual([changed.width, changed.height, changed.error], [160, 120, 0]);
 });
 
+test('a context that was lost and restored gives the same picture', async () => {
+    const before_loss = await draw({recipe: 'preset:low'}), after_it = await draw({recipe: 'preset:low', lose: true});
+    assert.deepEqual([after_it.error, after_it.shown], [0, before_loss.shown]);
+    assert.deepEqual(after_it.visibility, before_loss.visibility);
+    const of_three = /delete\w*: object does not belong to this context/; // which disposes of what the lost context made
+    assert.deepEqual(said.splice(0).filter((message) => !of_three.test(message)), ['THREE.WebGLRenderer: Context Lost.', 'THREE.WebGLRenderer: Context Restored.']);
+});
+
 test('what does not fit is said in a sentence', async () => {
     await assert.rejects(draw({recipe: 'directions/stochastic_layers/hbao'}), /GLSL ES/);
     await assert.rejects(draw({recipe: 'nobody'}), /crease::recipe/);

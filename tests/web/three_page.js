@@ -42,9 +42,22 @@ function read(gl, texture, width, height) {
     });
 }
 
+/** Has the renderer lose its context, and get it back. */
+async function lose_and_restore(renderer, composer) {
+    const told = (name) => new Promise((resolve) => renderer.domElement.addEventListener(name, resolve, {once: true}));
+    const lost = told('webglcontextlost');
+    renderer.forceContextLoss();
+    await lost;
+    await new Promise((resolve) => setTimeout(resolve)); // only when all have heard of it may it be restored
+    composer.render();
+    const restored = told('webglcontextrestored');
+    renderer.forceContextRestore();
+    await restored;
+}
+
 /** Draws the scene, and gives the size and texels of visibility, and of the picture on the canvas. */
-window.draw = ({scene, camera: from, recipe, radius, renderer: how = {}, samples = 0, orthographic = false, given = false,
-                ratio = 1, blend = 'multiply', resize = null, settings = {}}) => {
+window.draw = async ({scene, camera: from, recipe, radius, renderer: how = {}, samples = 0, orthographic = false, given = false,
+                      ratio = 1, blend = 'multiply', resize = null, lose = false, settings = {}}) => {
     const renderer = new THREE.WebGLRenderer({preserveDrawingBuffer: true, ...how});
     renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     renderer.setPixelRatio(ratio);
@@ -75,6 +88,8 @@ window.draw = ({scene, camera: from, recipe, radius, renderer: how = {}, samples
         composer.setSize(...resize);
     }
     composer.render();
+    if (lose)
+        await lose_and_restore(renderer, composer);
     composer.render();
     const gl = renderer.getContext();
     const width = Math.floor(composer.readBuffer.width), height = Math.floor(composer.readBuffer.height);

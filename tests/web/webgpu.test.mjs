@@ -83,9 +83,11 @@ function emitted(recipe) {
 for (const recipe of [
     'directions:4x4/single_layer/hbao/bilateral',
     'directions:4x4/depth_pyramid/gtao/upsample/blue_noise',
-    'tap_grid/multi_resolution/hbao_plus',
+    'tap_grid/single_layer/hbao_plus/multi_resolution',
     'hemisphere_points/single_layer/ssao/reconstructed_normals/tiled_noise/fragment',
     'slices/single_layer/gtao/compute_columns/r32f',
+    'sample_box/summed_area_adaptive:4x2/mean_height',
+    'box_area/n_buffer/unsharp_mask',
 ])
     test(`WebGPU gives the picture of the command, by GLSL as by SPIR-V: ${recipe}`, async () => {
         const picture = await picture_of(composed(recipe));
@@ -148,4 +150,19 @@ test('what cannot be is refused in a sentence', async () => {
     assert.throws(() => effect.bind('nobody', inputs.depth), /^RangeError: crease: the effect has no input 'nobody'$/);
     assert.throws(() => effect.set('nobody', 1), /^RangeError: crease: the effect has no parameter 'nobody'$/);
     assert.throws(() => effect.set('strength', -1), /^RangeError: crease: 'strength' must be from 0 to /);
+});
+
+test('a device that was lost is told of, before an effect is made and after', async () => { // the last, as it leaves none
+    const manifest = composed('directions:4x4/single_layer/hbao'), effect = await made(manifest);
+    effect.run();
+    const begun = webgpu.WebGPUEffect.create(device, manifest, width, height);
+    assert.equal(effect.lost, false);
+    device.destroy();
+    await device.lost;
+    const sentence = /^Error: crease: the device was lost, so make another, and the effect anew on it: ./;
+    assert.equal(effect.lost, true);
+    assert.throws(() => effect.run(), sentence);
+    await assert.rejects(begun, sentence);
+    await assert.rejects(webgpu.WebGPUEffect.create(device, manifest, width, height), sentence);
+    effect.dispose();
 });

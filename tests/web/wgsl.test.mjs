@@ -10,6 +10,7 @@ import {after, before, test} from 'node:test';
 import {pathToFileURL} from 'node:url';
 
 import {need, require} from './packages.mjs';
+import {webgpu_recipes} from './recipes.mjs';
 
 const {EMIT, MODULES, PACKAGE} = process.env;
 need('naga-wasm', 'webgpu');
@@ -30,23 +31,6 @@ after(() => {
     device?.destroy();
     rmSync(folder, {recursive: true, force: true});
 });
-
-const names_of = (role) => crease.parts.filter((part) => part.role === role).map(({name}) => name);
-
-/** Every sampler and estimator over every source, and every other part once. */
-function recipes() {
-    const fits = (recipe) => crease.check(`${recipe}/webgpu`) === '';
-    const three = names_of('depth source').flatMap((source) =>
-        names_of('sampler').flatMap((sampler) => names_of('estimator').map((estimator) => `${sampler}/${source}/${estimator}`)));
-    const roles = ['projection', 'depth encoding', 'normals', 'noise', 'output', 'output format', 'filter', 'stage'];
-    const base = 'directions:4x4/single_layer/hbao';
-    return [
-        ...three,
-        ...roles.flatMap((role) => names_of(role).map((name) => `${base}/${name}`)),
-        ...names_of('filter').map((name) => `${base}/${name}/fragment/bent_cone`),
-        ...crease.presets.map(({name}) => `preset:${name}`),
-    ].filter(fits).filter((recipe) => !recipe.includes('functions'));
-}
 
 /** The manifest, with a translation in place of each file's name. */
 function translated(recipe) {
@@ -71,7 +55,7 @@ async function complaint(manifest) {
 
 test('naga translates every effect of a choice, and its GLSL too, and Dawn makes pipelines of both', async (context) => {
     const seen = new Set();
-    const all = recipes();
+    const all = webgpu_recipes(crease);
     for (const recipe of all)
         for (const [from, manifest] of [['SPIR-V', translated(recipe)],
                                         ['GLSL', webgpu.with_wgsl(crease.compose(`${recipe}/webgpu`), naga.translate)]]) {
@@ -114,5 +98,5 @@ test('where naga is missing, and where WebGPU cannot, a sentence says so and not
         ({stderr}) => sentence.test(String(stderr).trim()));
     refused('preset:medium', folder, /^crease_emit: WGSL needs node, and naga-wasm .*npm install naga-wasm/);
     refused('preset:ultra_layers', join(MODULES, '..'), /WebGPU have no way to capture layers/);
-    refused('box_area/n_buffer/unsharp_mask', join(MODULES, '..'), /WebGPU change no image of several numbers in place/);
+    refused('box_area/summed_area/unsharp_mask/subgroup_scan', join(MODULES, '..'), /WebGPU promise no operations of subgroups/);
 });

@@ -80,6 +80,8 @@ export class CreasePass extends Pass {
     }
 
     render(renderer, writeBuffer, readBuffer) {
+        if (renderer.getContext().isContextLost())
+            return; // three.js draws nothing either until it is restored
         const depth = this.depth ?? readBuffer.depthTexture;
         if (!depth)
             throw new Error('crease: CreasePass needs depth: give the composer a render target with a depthTexture, or the pass one as `depth`');
@@ -112,7 +114,7 @@ export class CreasePass extends Pass {
 
     #prepare(renderer, width, height) {
         const gl = renderer.getContext();
-        if (this.#effect && this.#gl === gl && this.#effect.width === width && this.#effect.height === height)
+        if (this.#effect && !this.#effect.lost && this.#gl === gl && this.#effect.width === width && this.#effect.height === height)
             return;
         this.#manifest ??= this.#crease.compose(completed(this.#crease, this.#recipe, {
             projection: this.camera.isOrthographicCamera && 'orthographic',

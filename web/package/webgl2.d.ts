@@ -12,9 +12,11 @@ export class WebGL2Effect {
     /**
      * Makes its images and programs.
      * @param width,height  of the picture, texels
-     * @throws Error where WebGL 2 or the device cannot run it, in one sentence
+     * @throws Error where WebGL 2 or the device cannot run it, or the context is lost, in one sentence
      */
     constructor(gl: WebGL2RenderingContext, manifest: Manifest, width: number, height: number, options?: {guard?: number});
+    /** Whether its context was lost since it was made: then it runs no more, and is made anew once the context is restored. */
+    readonly lost: boolean;
     /** Sets a member of the uniform block by its name: "radius", "hbao.bias", "views[0].from_texel". */
     set(name: string, value: number | number[]): void;
     /** Sets a camera, that of the picture where no index is given. */
@@ -23,7 +25,10 @@ export class WebGL2Effect {
     bind(name: string, texture: WebGLTexture): void;
     /** The image of a resource, such as "visibility" once the effect has run. */
     texture(name: string): WebGLTexture | undefined;
-    /** Runs all passes. Afterwards no framebuffer, vertex array or sampler is bound; other state is as it was needed. */
+    /**
+     * Runs all passes. Afterwards no framebuffer, vertex array or sampler is bound; other state is as it was needed.
+     * @throws Error where an input is not bound, or the context was lost
+     */
     run(): void;
     /** Frees all but what was bound. */
     dispose(): void;

@@ -61,15 +61,20 @@ export class WebGL2Effect {
     #buffer;
     #sampler;
     #triangle;
+    #lost = false;
+    #note_loss = () => (this.#lost = true);
 
     constructor(gl, manifest, width, height, {guard = 0} = {}) {
         const reason = unsupported(manifest);
         if (reason)
             throw new Error(`crease: ${reason}`);
+        if (gl.isContextLost())
+            throw new Error('crease: the context of WebGL 2 is lost, so wait for it, or make another');
         if (!gl.getExtension('EXT_color_buffer_float'))
             throw new Error('crease: the device cannot draw to images of floats: EXT_color_buffer_float is missing');
         Object.assign(this, {width, height, guard});
         this.#gl = gl;
+        gl.canvas.addEventListener('webglcontextlost', this.#note_loss);
         this.#block = new Block(manifest.uniform_block);
         this.#buffer = gl.createBuffer();
         gl.bindBuffer(gl.UNIFORM_BUFFER, this.#buffer);
@@ -93,7 +98,11 @@ export class WebGL2Effect {
         }
     }
 
-    /** Sets a member of the uniform block: 'radius', 'strength', 'hbao.bias', 'views[0].from_texel'. */
+    /** What a context made is lost with it, and not restored with it. */
+    get lost() {
+        return this.#lost || this.#gl.isContextLost();
+    }
+
     set(name, value) {
         this.#block.set(name, value);
     }
@@ -114,6 +123,8 @@ export class WebGL2Effect {
 
     run() {
         const gl = this.#gl;
+        if (this.lost)
+            throw new Error('crease: the context of WebGL 2 was lost, so make the effect anew once it is restored');
         const unbound = this.#inputs.find((name) => !this.#textures.has(name));
         if (unbound)
             throw new Error(`crease: nothing is bound to the input '${unbound}'`);
@@ -132,6 +143,9 @@ export class WebGL2Effect {
 
     dispose() {
         const gl = this.#gl;
+        gl.canvas.removeEventListener('webglcontextlost', this.#note_loss);
+        if (this.lost)
+            return;
         this.#owned.forEach((texture) => gl.deleteTexture(texture));
         for (const {program, target} of this.#passes) {
             gl.deleteProgram(program);

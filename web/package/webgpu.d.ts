@@ -28,9 +28,11 @@ export class WebGPUEffect {
     /**
      * Makes its images and pipelines.
      * @param width,height  of the picture, texels
-     * @throws Error where WebGPU or the device cannot run it, in one sentence
+     * @throws Error where WebGPU or the device cannot run it, or the device is lost, in one sentence
      */
     static create(device: GPUDevice, manifest: Manifest, width: number, height: number, options?: {guard?: number}): Promise<WebGPUEffect>;
+    /** Whether its device was lost: then it runs no more, and is made anew on another device. */
+    readonly lost: boolean;
     /** Sets a member of the uniform block by its name: "radius", "hbao.bias", "views[0].from_texel". */
     set(name: string, value: number | number[]): void;
     /** Sets a camera, that of the picture where no index is given. */
@@ -42,9 +44,10 @@ export class WebGPUEffect {
     /**
      * Records all passes, and hands the parameters to the queue: they hold for what is submitted from now on.
      * @param options.timestamps  two queries: when the first pass begins, and when the last ends
+     * @throws Error where an input is not bound, or the device was lost
      */
     record(encoder: GPUCommandEncoder, options?: {timestamps?: GPUQuerySet}): void;
-    /** Records all passes and submits them. */
+    /** Records all passes and submits them, and throws what `record` throws. */
     run(): void;
     /** Frees all but what was bound. */
     dispose(): void;

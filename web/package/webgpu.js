@@ -50,6 +50,22 @@ function has_whole_numbers({format}) {
     return format.endsWith('_uint');
 }
 
+/** Of each device: what it said when it was lost, null while it is there. */
+const losses = new WeakMap();
+
+function watch(device) {
+    if (losses.has(device))
+        return;
+    losses.set(device, null);
+    device.lost.then((info) => losses.set(device, info));
+}
+
+function refuse_lost(device) {
+    const loss = losses.get(device);
+    if (loss)
+        throw new Error(`crease: the device was lost, so make another, and the effect anew on it: ${loss.message || loss.reason}`);
+}
+
 /** How often an image of a size may be halved, itself included. */
 function levels_of({levels = 1}, [width, height]) {
     return Math.min(levels, 1 + Math.floor(Math.log2(Math.max(width, height))));
@@ -78,9 +94,13 @@ export class WebGPUEffect {
         const reason = unsupported(manifest);
         if (reason)
             throw new Error(`crease: ${reason}`);
+        watch(device);
+        await null; // by when a device that was lost before has said so
+        refuse_lost(device);
         const effect = new WebGPUEffect(device, manifest, width, height, options);
         try {
             effect.#passes = await Promise.all(manifest.passes.filter((pass) => effect.#is_there(pass)).map((pass) => effect.#prepare(pass)));
+            refuse_lost(device);
         } catch (error) {
             effect.dispose();
             throw error;
@@ -101,6 +121,10 @@ export class WebGPUEffect {
         const bindings = manifest.passes.flatMap((pass) => pass.bindings);
         for (const image of images.filter(({lifetime}) => lifetime !== 'input'))
             this.#make(image, bindings.filter(({resource}) => resource === image.name).map(({access}) => access));
+    }
+
+    get lost() {
+        return losses.get(this.#device) !== null;
     }
 
     set(name, value) {
@@ -126,6 +150,7 @@ export class WebGPUEffect {
     }
 
     record(encoder, {timestamps} = {}) {
+        refuse_lost(this.#device);
         const unbound = this.#inputs.find((name) => !this.#textures.has(name));
         if (unbound)
             throw new Error(`crease: nothing is bound to the input '${unbound}'`);
@@ -144,6 +169,7 @@ export class WebGPUEffect {
     }
 
     run() {
+        refuse_lost(this.#device);
         const encoder = this.#device.createCommandEncoder({label: 'crease'});
         this.record(encoder);
         this.#device.queue.submit([encoder.finish()]);
@@ -218,7 +244,7 @@ export class WebGPUEffect {
         }));
         device.pushErrorScope('validation');
         const modules = new Map(shaders.map(({stage: of, text}) => [of, device.createShaderModule({label, code: text})]));
-        const refused = device.popErrorScope();
+        const refused = device.popErrorScope().catch(() => null); // of a lost device there is none
         const shared = {label, layout: device.createPipelineLayout({label, bindGroupLayouts: layouts})};
         const targets = attachments.map(({resource}) => ({format: formats[this.#resources.get(resource).format][0]}));
         const made = is_compute

@@ -40,7 +40,7 @@ class Playground {
     /** Draws by the device of the state; where that cannot be, by WebGL 2, and says why. */
     async #choose_device() {
         const note = by_id('device-note');
-        if (this.state.device === 'webgpu' && this.stage?.graphics.name !== 'webgpu')
+        if (this.state.device === 'webgpu' && !this.#is_used('webgpu'))
             try {
                 note.textContent = 'WebGPU is made ready…';
                 await this.#use('webgpu');
@@ -55,13 +55,18 @@ class Playground {
         }
     }
 
+    #is_used(device) {
+        return this.stage !== undefined && this.stage === this.#stages[device]?.stage;
+    }
+
     /** Shows the stage that a device draws, and the menus of what it can run. */
     async #use(device) {
-        if (this.stage?.graphics.name === device)
+        if (this.#is_used(device))
             return;
         this.#stages[device] ??= await this.#open(device);
         Object.assign(this, this.#stages[device]);
         by_id('picture').replaceWith(this.stage.canvas);
+        by_id('lost').replaceChildren();
         by_id('menus').replaceChildren();
         for (const option of by_id('preset').querySelectorAll('option[title]'))
             option.disabled = this.#reason(option.value) !== '';
@@ -73,8 +78,38 @@ class Playground {
         const graphics = await devices[device].open(canvas);
         const recipes = new Recipes(this.crease, graphics.host);
         const menus = new Menus(recipes, by_id('menus'), (words, {keep_menus} = {}) => this.#change(words, keep_menus));
+        const stage = new Stage(graphics, canvas, this.crease);
         this.#listen_to_moves(canvas);
-        return {stage: new Stage(graphics, canvas, this.crease), recipes, menus};
+        graphics.lost.then(() => this.#lose(stage));
+        return {stage, recipes, menus};
+    }
+
+    /** Forgets the stage of a device that is gone, and offers to make it anew: by itself a page could lose it without end. */
+    #lose(stage) {
+        const {name} = stage.graphics;
+        delete this.#stages[name];
+        stage.effect = null;
+        if (stage !== this.stage)
+            return;
+        ++this.#runs;
+        clearTimeout(this.#clock);
+        delete document.body.dataset.drawn;
+        const again = element('button', {type: 'button'}, 'Draw again');
+        again.addEventListener('click', () => this.restore().catch(({message}) => (by_id('refusal').textContent = message)));
+        const {textContent} = by_id('device').querySelector(`[value=${name}]`);
+        by_id('lost').replaceChildren(`The browser lost ${textContent}, and with it the picture: its driver may have restarted, or a frame taken too long. `, again);
+    }
+
+    /** Does what needs the device; what fails since that was lost is no error, and may come before the loss is told. */
+    async #with_device(work) {
+        const {lost} = this.stage.graphics;
+        try {
+            await work();
+        } catch (error) {
+            const late = new Promise((resolve) => setTimeout(resolve, 500, false));
+            if (!await Promise.race([lost.then(() => true), late]))
+                throw error;
+        }
     }
 
     /** Offers WebGPU where there is a device for it, and says why where there is none. */
@@ -160,7 +195,7 @@ class Playground {
             this.menus.show(words, effect.parts);
             this.#show_settings(effect);
         }
-        await Promise.all([this.#run(), this.texts.show(state.recipe)]);
+        await Promise.all([this.#with_device(() => this.#run()), this.texts.show(state.recipe)]);
     }
 
     #show_settings(effect) {
@@ -188,7 +223,7 @@ class Playground {
     #next_frame() {
         this.#frame ||= requestAnimationFrame(() => {
             this.#frame = 0;
-            this.#run();
+            this.#with_device(() => this.#run());
         });
     }
 
@@ -214,7 +249,7 @@ class Playground {
             this.#draw();
         }
         clearTimeout(this.#clock);
-        this.#clock = setTimeout(() => this.#measure_time(), 300);
+        this.#clock = setTimeout(() => this.#with_device(() => this.#measure_time()), 300);
     }
 
     #draw() {
@@ -276,7 +311,7 @@ class Playground {
         by_id('orbit').addEventListener('change', async ({target}) => {
             this.state.orbit = target.checked ? [0, 0, 1] : null;
             this.#remember();
-            await this.stage.set_orbit(this.state.orbit);
+            await this.#with_device(() => this.stage.set_orbit(this.state.orbit));
             this.#next_frame();
         });
         by_id('link').addEventListener('click', async () => {

@@ -1,39 +1,49 @@
 // SPDX-License-Identifier: MIT
-// The emitted text, in the language that is chosen: GLSL is composed here, of which naga makes WGSL; HLSL and Metal were translated
-// when the page was made.
+// The emitted text, in the language that is chosen: GLSL is composed here, and naga makes the others of it; HLSL and Metal of many
+// recipes were made by SPIRV-Cross when the page was, and read better.
 import {with_wgsl} from './package/webgpu.js';
 
 import {by_id, element} from './dom.js';
 import {load_naga} from './naga.js';
 import {name_of} from './recipe.js';
 import {text_key} from './text_key.js';
+import {translated_passes} from './translation.js';
 
 const composed = {
     vulkan: {title: 'GLSL for Vulkan', words: []},
     opengl: {title: 'GLSL for OpenGL', words: ['opengl']},
     es: {title: 'GLSL ES for WebGL 2', words: ['fragment', 'glsl_es:300']},
 };
-const translated = {hlsl: 'HLSL', msl: 'Metal'};
-const titles = {...Object.fromEntries(Object.entries(composed).map(([value, {title}]) => [value, title])), ...translated, wgsl: 'WGSL'};
+const translated = {hlsl: {title: 'HLSL'}, msl: {title: 'Metal'}, wgsl: {title: 'WGSL'}};
+const notes = {
+    held: 'By SPIRV-Cross: what the command writes, beside a manifest that says by which numbers a host binds.',
+    naga: 'By naga in this page, with fixed numbers: the command has SPIRV-Cross write half as much, with numbers left to the host and bindings counted by kind.',
+    wgsl: 'By naga of GLSL. The command has naga make it of SPIR-V: other words, the same numbers.',
+};
 
 function shaders_of(passes) {
     return passes.map(({name, shaders: [{text}]}, i) => ({name: `${i} ${name}`, text}));
 }
 
-/** The shaders of a recipe in each language, or a sentence in their place. */
-async function load_translation({file}) {
+/** What was made when the page was: by text_key the file of a recipe. */
+async function load_list() {
+    return (await fetch(new URL('texts.json', import.meta.url))).json();
+}
+
+/** The shaders of a recipe in each language. */
+async function load_translations(file) {
     const {body} = await fetch(new URL(`texts/${file}`, import.meta.url));
     return new Response(body.pipeThrough(new DecompressionStream('gzip'))).json();
 }
 
 export class Texts {
-    #list = null; // of translations: by text_key the recipe and its file
+    #list = null;
     #updates = 0;
 
     constructor(crease) {
         this.crease = crease;
         this.language = by_id('language');
-        this.language.append(...Object.entries(titles).map(([value, title]) => element('option', {value}, title)));
+        this.language.append(...Object.entries({...composed, ...translated}).map(([value, {title}]) => element('option', {value}, title)));
         this.language.addEventListener('change', () => this.#update());
         by_id('pass').addEventListener('change', () => this.#print());
         by_id('copy').addEventListener('click', () => this.#copy('text'));
@@ -47,8 +57,7 @@ export class Texts {
 
     async #update() {
         const language = this.language.value, update = ++this.#updates;
-        const shown = language in composed ? this.#compose(language)
-            : language === 'wgsl' ? await this.#wgsl() : await this.#translation(language);
+        const shown = language in composed ? this.#compose(language) : await this.#translate(language);
         if (update !== this.#updates)
             return;
         Object.assign(this, shown);
@@ -70,25 +79,25 @@ export class Texts {
         return {note, command: `crease emit ${recipe}`, shaders: note ? [] : shaders_of(this.crease.compose(recipe).passes)};
     }
 
-    async #wgsl() {
-        const recipe = this.#recipe_in(['webgpu']), command = `crease emit ${this.recipe} --target wgsl`;
+    async #translate(language) {
+        const command = `crease emit ${this.recipe} --target ${language}`;
         try {
-            const {passes} = with_wgsl(this.crease.compose(recipe), await load_naga());
-            return {note: 'By naga of GLSL. The command has naga make it of SPIR-V: other words, the same numbers.', command, shaders: shaders_of(passes)};
+            const held = language === 'wgsl' ? null : await this.#held(language);
+            if (held)
+                return {note: notes.held, command, shaders: held};
+            const manifest = this.crease.compose(this.#recipe_in(['webgpu'])), naga = await load_naga();
+            const passes = language === 'wgsl' ? with_wgsl(manifest, naga).passes : translated_passes(manifest, naga, language);
+            return {note: notes[language] ?? notes.naga, command, shaders: shaders_of(passes)};
         } catch (error) {
             return {note: error.message, command, shaders: []};
         }
     }
 
-    async #translation(language) {
-        this.#list ??= await (await fetch(new URL('texts.json', import.meta.url))).json();
-        const effect = this.crease.compose(this.recipe);
-        const held = this.#list[text_key(effect.parts)];
-        const made = held ? (await load_translation(held))[language] : [];
-        const note = !held ? `${translated[language]} is translated outside of browsers. The page holds ${Object.keys(this.#list).length} recipes in it, and not this one.`
-            : typeof made === 'string' ? made
-            : held.recipe !== effect.recipe ? `The page holds these parts with other numbers: this is ${held.recipe}.` : '';
-        return {note, command: `crease emit ${this.recipe} --target ${language}`, shaders: typeof made === 'string' ? [] : made};
+    /** The shaders of SPIRV-Cross, where the page holds them. */
+    async #held(language) {
+        this.#list ??= await load_list();
+        const file = this.#list[text_key(this.crease.compose(this.recipe).parts)];
+        return file && (await load_translations(file))[language];
     }
 
     #print() {

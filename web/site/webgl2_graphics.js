@@ -26,6 +26,7 @@ export class WebGL2Graphics {
 
     constructor(gl) {
         this.gl = gl;
+        this.lost = new Promise((resolve) => gl.canvas.addEventListener('webglcontextlost', resolve, {once: true}));
         this.#picture = new Picture(gl);
     }
 

@@ -37,7 +37,7 @@ export class WebGPUGraphics {
     }
 
     constructor(device, canvas, translate) {
-        Object.assign(this, {device, translate});
+        Object.assign(this, {device, translate, lost: device.lost});
         this.#picture = new GPUPicture(device, canvas);
     }
 

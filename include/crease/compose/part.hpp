@@ -45,22 +45,23 @@ struct view_request {
 /// Where a name is defined more than once, the step's own comes first, then that of the parts in the order of
 /// their roles, and then crease's default.
 struct part {
-    role kind;                                  ///< what it does in an effect
-    std::string_view name;                      ///< in recipes and as the stem of its file, e.g. "hbao"
-    std::string_view summary;                   ///< one line
-    std::string_view source;                    ///< paper, chapter, algorithm
-    array_view<const glsl_file* const> files{}; ///< its GLSL
-    array_view<const files_where> widened{};    ///< before these, each where more is needed of the part
-    array_view<const number> numbers{};         ///< whole numbers: specialization constants
-    array_view<const setting> settings{};       ///< real numbers that a host may change each frame
-    array_view<const resource> resources{};     ///< images and buffers that it reads or fills
-    array_view<const step> steps{};             ///< passes of its own beside the main pass
-    array_view<const trait* const> needs{};     ///< that the part of another role must offer
-    array_view<const trait* const> offers{};    ///< that others may need
-    array_view<const role> required_roles{};    ///< roles, else absent, of which the effect must have a part
-    view_request further_views{};               ///< cameras that it adds
-    std::string_view extension{};               ///< of GLSL, that its text needs
-    device_features features{};                 ///< that it requires
+    role kind;                                       ///< what it does in an effect
+    std::string_view name;                           ///< in recipes and as the stem of its file, e.g. "hbao"
+    std::string_view summary;                        ///< one line
+    std::string_view source;                         ///< paper, chapter, algorithm
+    array_view<const glsl_file* const> files{};      ///< its GLSL
+    array_view<const files_where> widened{};         ///< before these, each where more is needed of the part
+    array_view<const glsl_file* const> main_files{}; ///< before both, in the main pass alone
+    array_view<const number> numbers{};              ///< whole numbers: specialization constants
+    array_view<const setting> settings{};            ///< real numbers that a host may change each frame
+    array_view<const resource> resources{};          ///< images and buffers that it reads or fills
+    array_view<const step> steps{};                  ///< passes of its own beside the main pass
+    array_view<const trait* const> needs{};          ///< that the part of another role must offer
+    array_view<const trait* const> offers{};         ///< that others may need
+    array_view<const role> required_roles{}; ///< roles, else absent, of which the effect must have a part
+    view_request further_views{};            ///< cameras that it adds
+    std::string_view extension{};            ///< of GLSL, that its text needs
+    device_features features{};              ///< that it requires
 };
 
 /// The most numbers that a part may take.

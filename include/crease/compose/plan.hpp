@@ -6,7 +6,6 @@
 #include <crease/effect/parameters.hpp>
 #include <crease/effect/pass.hpp>
 #include <crease/parts/output/outputs.hpp>
-#include <crease/parts/stage/compute_strips.hpp>
 #include <crease/parts/stage/stages.hpp>
 
 namespace crease {
@@ -24,6 +23,7 @@ struct planned_pass {
     bool last = false; ///< whether the outputs are the effect's
     extent size{};     ///< of the outputs
     unsigned input_divisor = 1;
+    unsigned level = 0;    ///< mip level of the outputs that it writes
     unsigned view = 0;     ///< index of the camera that it works for
     unsigned in_chain = 0; ///< place among the main pass, 0, and those of filters
 };
@@ -74,9 +74,7 @@ struct plan {
     }
 };
 
-inline constexpr const glsl_file* main_with_strips[] = {&compute_strips_glsl};
-inline constexpr step main_step{.name = "visibility",
-                                .widened = {&layers_in_strips::value, main_with_strips}};
+inline constexpr step main_step{.name = "visibility"};
 
 namespace planning {
 
@@ -171,7 +169,8 @@ constexpr void add_steps(plan& p, const choice& owner, bool after, unsigned view
                 pass.size = p.resources[pass.outputs[0]].size;
             if (pass.view > 0)
                 pass.size = {.divisor = view_divisor};
-            pass.size.level = s.level + (s.further_levels ? i % runs : 0);
+            pass.level = s.level + (s.further_levels ? i % runs : 0);
+            pass.size.level += pass.level;
             if (pass.outputs.cut)
                 p.refused = {rules::few_passes, owner.what->name};
             p.passes.add(pass);

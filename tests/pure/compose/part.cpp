@@ -28,6 +28,8 @@ template <class Action>
 void for_each_file(const crease::part& p, Action action) {
     for (const crease::glsl_file* file : p.files)
         action(*file);
+    for (const crease::glsl_file* file : p.main_files)
+        action(*file);
     for (const crease::step& step : p.steps)
         for (const crease::glsl_file* file : step.files)
             action(*file);

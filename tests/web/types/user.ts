@@ -35,6 +35,8 @@ export function run(gl: WebGL2RenderingContext, manifest: Manifest, depth: WebGL
     effect.setView(view);
     effect.set('views[0].resolution', [640, 360]);
     effect.bind('depth', depth);
+    if (effect.lost)
+        return undefined;
     effect.run();
     return effect.texture('visibility');
 }
@@ -45,7 +47,8 @@ export async function run_webgpu(device: GPUDevice, depth: GPUTextureView, encod
         return undefined;
     const effect = await WebGPUEffect.create(device, manifest, 640, 360, {guard: 16});
     effect.bind('depth', depth);
-    effect.record(encoder, {timestamps: device.createQuerySet({type: 'timestamp', count: 2})});
+    if (!effect.lost)
+        effect.record(encoder, {timestamps: device.createQuerySet({type: 'timestamp', count: 2})});
     return effect.texture('visibility');
 }
 

@@ -8,21 +8,21 @@
 
 namespace crease {
 
-/// `main` of the main pass where the stage needs layers_in_strips, and where a texel is in them.
+/// `main` of the main pass, and where a texel is in the strips.
 inline constexpr glsl_file compute_strips_glsl{
     "stage/compute_strips.glsl",
 #include <crease/stage/compute_strips.glsl>
 };
 
 struct compute_strips_part {
-    using needs = traits<layers_in_strips>;
+    using needs = traits<layers_in_strips, one_resolution>;
     static constexpr number takes[] = {
         {"width", 1, 1024, 8, "of the workgroup, invocations"},
         {"height", 1, 1024, 8, "of the workgroup, invocations"},
         {"apron", 0, 1024, 24, "texels that are kept at each end of a row or column"},
     };
-    // Of both mains a filter takes the first, and the main pass that of its own files.
-    static constexpr const glsl_file* files[] = {&compute_glsl, &compute_strips_glsl};
+    static constexpr const glsl_file* files[] = {&compute_glsl};
+    static constexpr const glsl_file* main_files[] = {&compute_strips_glsl};
     static constexpr part description{
         .kind = role::stage,
         .name = "compute_strips",
@@ -30,6 +30,7 @@ struct compute_strips_part {
         .source =
             "a-buffer-ssao 2013, V.B; Bavoil 2011, Horizon-Based Ambient Occlusion using Compute Shaders",
         .files = files,
+        .main_files = main_files,
         .numbers = takes,
         .needs = needs::list,
     };
