@@ -288,11 +288,14 @@ TEST_CASE("opacity 1 everywhere is the occlusion of the first surface by all lay
     const oracle::triangles drawn = oracle::soup(40, 9);
     for (const std::string parts :
          {"directions:5x4/linked_lists:32x64/hbao", "directions:5x4/linked_lists:32x64/hbao_plus",
-          "slices:3x4/linked_lists:32x64/gtao", "slices:3x4/linked_lists:32x64/visibility_bitmask",
+          "directions:5x4/dual_peeled_layers:16/hbao", "directions:5x4/dual_peeled_layers:3/hbao_plus",
+          "directions:5x4/static_and_dynamic_layers/hbao", "slices:3x4/linked_lists:32x64/gtao",
+          "slices:3x4/linked_lists:32x64/visibility_bitmask",
           "slices:4x8/linked_lists:32x64/cosine_bitmask:0x0",
           "slices:4x8/linked_lists:32x64/cosine_bitmask:1x1", "slices:4x8/linked_lists:3x64/cosine_bitmask",
           "hemisphere_points:12/linked_lists:32x64/ssao", "sphere_points:12/linked_lists:32x64/point_volume",
-          "sphere_lines:12/linked_lists:32x64/line_volume"}) {
+          "sphere_lines:12/linked_lists:32x64/line_volume",
+          "tap_grid:6/linked_lists:32x64/hbao_plus/multi_resolution:3x5"}) {
         CAPTURE(parts);
         const auto of_layers = run(parts + "/every_layer/r32f", drawn, all_of(255));
         const surfaces layers = of_layers->surfaces();
@@ -334,11 +337,18 @@ TEST_CASE("opacity 0 neither casts nor receives") {
     std::array<std::uint32_t, 16> colors = all_of(150);
     for (std::size_t i = 1; i < colors.size(); i += 2)
         colors[i] &= 0xffffffu;
-    const std::string recipe = "directions:5x4/linked_lists:16x64/hbao/thin_layers/r32f";
-    const auto alone = run(recipe, some, all_of(150)), beside = run(recipe, both, colors);
-    CHECK(beside->runner().download("visibility") == alone->runner().download("visibility"));
-    CHECK(beside->runner().download("visibility") !=
-          run(recipe, both, all_of(150))->runner().download("visibility"));
+    for (const std::string recipe :
+         {"directions:5x4/linked_lists:16x64/hbao/thin_layers/r32f",
+          "directions:5x4/dual_peeled_layers:16/hbao/thin_layers/r32f",
+          "directions:5x4/dual_peeled_layers:4/hbao/thin_layers/r32f",
+          "directions:5x4/static_and_dynamic_layers/hbao/thin_layers/r32f",
+          "tap_grid:6/linked_lists:16x64/hbao_plus/thin_layers/multi_resolution/r32f"}) {
+        CAPTURE(recipe);
+        const auto alone = run(recipe, some, all_of(150)), beside = run(recipe, both, colors);
+        CHECK(beside->runner().download("visibility") == alone->runner().download("visibility"));
+        CHECK(beside->runner().download("visibility") !=
+              run(recipe, both, all_of(150))->runner().download("visibility"));
+    }
 }
 
 TEST_CASE("the more opaque an occluder, the less visible what it stands before") {

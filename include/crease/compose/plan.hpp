@@ -23,6 +23,7 @@ struct planned_pass {
     bool last = false; ///< whether the outputs are the effect's
     extent size{};     ///< of the outputs
     unsigned input_divisor = 1;
+    unsigned level = 0;    ///< mip level of the outputs that it writes
     unsigned view = 0;     ///< index of the camera that it works for
     unsigned in_chain = 0; ///< place among the main pass, 0, and those of filters
 };
@@ -184,7 +185,8 @@ constexpr void add_steps(plan& p, const choice& owner, bool after, unsigned view
                 pass.size = p.resources[pass.outputs[0]].size;
             if (pass.view > 0)
                 pass.size = {.divisor = view_divisor};
-            pass.size.level = s.level + (s.further_levels ? i % runs : 0);
+            pass.level = s.level + (s.further_levels ? i % runs : 0);
+            pass.size.level += pass.level;
             if (pass.outputs.cut)
                 p.refused = {rules::few_passes, owner.what->name};
             p.passes.add(pass);
