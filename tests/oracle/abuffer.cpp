@@ -220,14 +220,14 @@ void fragment_capture::draw(const triangles& first, const triangles& others, con
         return std::make_unique<crease::vulkan::mesh>(device(), numbers);
     };
     const auto first_mesh = mesh_of(first), other_mesh = mesh_of(others);
-    const crease::vulkan::mesh* drawn = first_mesh.get();
     const surface_constants constants{projection_, colors};
     const std::span<const std::byte> pushed =
         std::as_bytes(std::span(&constants, 1)).first(host_.push_constant_bytes);
-    for (const crease::pass& each : composed_->view().passes)
+    const auto passes = composed_->view().passes;
+    for (const crease::pass& each : passes)
         if (each.stage == crease::stage_kind::geometry) {
-            runner_->set_geometry(each.name, host_, *drawn, pushed);
-            drawn = other_mesh.get();
+            const bool is_first = &each == passes.data() || each.name == "capture_static_surfaces";
+            runner_->set_geometry(each.name, host_, is_first ? *first_mesh : *other_mesh, pushed);
         }
     runner_->run(how_);
 }

@@ -77,7 +77,7 @@ public:
     void draw(const triangles& scene, const color_table& colors = every_color()) {
         draw(scene, scene, colors);
     }
-    /// Draws one scene in the first geometry pass, and another in those after it.
+    /// Draws one scene in the first geometry pass and in those of static surfaces, and another in the others.
     void draw(const triangles& first, const triangles& others, const color_table& colors = every_color());
     crease::vulkan::runner& runner() { return *runner_; }
     crease::effect_view effect() const { return composed_->view(); }

@@ -288,7 +288,9 @@ TEST_CASE("opacity 1 everywhere is the occlusion of the first surface by all lay
     const oracle::triangles drawn = oracle::soup(40, 9);
     for (const std::string parts :
          {"directions:5x4/linked_lists:32x64/hbao", "directions:5x4/linked_lists:32x64/hbao_plus",
-          "slices:3x4/linked_lists:32x64/gtao", "slices:3x4/linked_lists:32x64/visibility_bitmask",
+          "directions:5x4/dual_peeled_layers:16/hbao", "directions:5x4/dual_peeled_layers:3/hbao_plus",
+          "directions:5x4/static_and_dynamic_layers/hbao", "slices:3x4/linked_lists:32x64/gtao",
+          "slices:3x4/linked_lists:32x64/visibility_bitmask",
           "slices:4x8/linked_lists:32x64/cosine_bitmask:0x0",
           "slices:4x8/linked_lists:32x64/cosine_bitmask:1x1", "slices:4x8/linked_lists:3x64/cosine_bitmask",
           "hemisphere_points:12/linked_lists:32x64/ssao", "sphere_points:12/linked_lists:32x64/point_volume",
@@ -337,6 +339,9 @@ TEST_CASE("opacity 0 neither casts nor receives") {
         colors[i] &= 0xffffffu;
     for (const std::string recipe :
          {"directions:5x4/linked_lists:16x64/hbao/thin_layers/r32f",
+          "directions:5x4/dual_peeled_layers:16/hbao/thin_layers/r32f",
+          "directions:5x4/dual_peeled_layers:4/hbao/thin_layers/r32f",
+          "directions:5x4/static_and_dynamic_layers/hbao/thin_layers/r32f",
           "tap_grid:6/linked_lists:16x64/hbao_plus/thin_layers/multi_resolution/r32f"}) {
         CAPTURE(recipe);
         const auto alone = run(recipe, some, all_of(150)), beside = run(recipe, both, colors);

@@ -81,6 +81,13 @@ std::size_t total(const surfaces& of) {
     return count;
 }
 
+/// Where receivers are first surfaces, puts them at a depth of 5.
+void put_receivers(oracle::fragment_capture& capture) {
+    const crease::effect_view effect = capture.effect();
+    if (std::ranges::find(effect.resources, "depth", &crease::resource::name) != effect.resources.end())
+        capture.runner().upload("depth", std::vector<float>(std::size_t{width} * height, 5.0f));
+}
+
 /// Checks what a source keeps against all fragments.
 /// @param pool  the number of a source of lists
 /// @param most  layers that the source takes
@@ -177,6 +184,90 @@ TEST_CASE("peeling keeps the nearest surfaces in order, and none of no opacity")
     check_surfaces("peeled_layers", "", 8);
 }
 
+TEST_CASE("dual peeling keeps the nearest and the farthest surfaces in order, and none of no opacity") {
+    for (lens kind : {lens::standard, lens::orthographic})
+        for (unsigned triangles : {6u, 60u}) {
+            CAPTURE(triangles);
+            const oracle::triangles drawn = oracle::soup(triangles, triangles);
+            const oracle::fragment_lists all = oracle::rasterise(drawn, kind, width, height);
+            for (std::size_t layers : {1u, 4u, 5u, 16u}) {
+                CAPTURE(layers);
+                oracle::fragment_capture capture(packing("dual_peeled_layers:" + std::to_string(layers)),
+                                                 width, height, kind);
+                capture.draw(drawn);
+                const surfaces kept = capture.surfaces();
+                std::size_t other = 0;
+                for (std::size_t at = 0; at < kept.size(); ++at) {
+                    std::vector<fragment> seen = opaque_in_part(all.of[at]);
+                    if (seen.size() > layers) { // what lies between is lost
+                        const auto nearest = static_cast<std::ptrdiff_t>((layers + 1) / 2),
+                                   farthest = static_cast<std::ptrdiff_t>(layers / 2);
+                        seen.erase(seen.begin() + nearest, seen.end() - farthest);
+                    }
+                    other += !all.doubtful[at] && !are_nearest(kept[at], seen, layers, drawn);
+                }
+                CHECK(other == 0);
+                CHECK(total(kept) > 200);
+            }
+        }
+}
+
+TEST_CASE("of static and of dynamic geometry the nearest surface each, and none of no opacity") {
+    const oracle::triangles still = oracle::soup(12, 20), moving = oracle::soup(12, 21);
+    for (lens kind : {lens::standard, lens::orthographic}) {
+        oracle::fragment_capture capture(packing("static_and_dynamic_layers"), width, height, kind);
+        capture.draw(moving, still); // whose surfaces must not stay
+        capture.draw(still, moving);
+        const surfaces kept = capture.surfaces();
+        const oracle::fragment_lists of_still = oracle::rasterise(still, kind, width, height),
+                                     of_moving = oracle::rasterise(moving, kind, width, height);
+        std::size_t other = 0, two = 0;
+        for (std::size_t at = 0; at < kept.size(); ++at) {
+            std::vector<std::pair<fragment, const oracle::triangles*>> expected;
+            for (const auto& [lists, drawn] : {std::pair{&of_still, &still}, {&of_moving, &moving}})
+                if (const std::vector<fragment> seen = opaque_in_part(lists->of[at]); !seen.empty())
+                    expected.emplace_back(seen.front(), drawn);
+            std::ranges::sort(expected, {}, [](const auto& each) { return each.first.depth; });
+            const bool same = std::ranges::equal(kept[at], expected, [](const auto& k, const auto& e) {
+                return is_of(k, e.first, *e.second);
+            });
+            other += !of_still.doubtful[at] && !of_moving.doubtful[at] && !same;
+            two += kept[at].size() == 2;
+        }
+        CHECK(other == 0);
+        CHECK(two > 100);
+    }
+    CHECK_NOTHROW(oracle::device().check_messages());
+}
+
+TEST_CASE("static and dynamic layers with opacity give what lists give of the same fragments") {
+    oracle::triangles still, moving; // which hides the edge of the step
+    oracle::add_quad(still, {-9, -9, -6}, {9, 0, 0}, {0, 18, 0});
+    oracle::add_quad(still, {0, -9, -4.5f}, {9, 0, 0}, {0, 18, 0});
+    oracle::add_quad(moving, {-0.6f, -0.6f, -2.5f}, {1.2f, 0, 0}, {0, 1.2f, 0});
+    oracle::triangles both = still;
+    both.insert(both.end(), moving.begin(), moving.end());
+    oracle::color_table half;
+    half.fill(0x80808080u);
+    const auto visibility = [&half](const std::string& source, const std::string& rest,
+                                    const oracle::triangles& first, const oracle::triangles& others) {
+        oracle::fragment_capture capture("directions:2x4/" + source + "/hbao/" + rest + "/r32f", width,
+                                         height, lens::standard, "visibility");
+        capture.set("radius", 3);
+        put_receivers(capture);
+        capture.draw(first, others, half);
+        return capture.runner().download("visibility");
+    };
+    for (const std::string rest : {"every_layer", "thin_layers", "every_layer/compressed:2", "compressed:2",
+                                   "every_layer/compressed_occluders:1"}) {
+        CAPTURE(rest);
+        const std::vector<float> lists = visibility("linked_lists:4x8", rest, both, both);
+        CHECK(visibility("static_and_dynamic_layers", rest, still, moving) == lists);
+        CHECK(*std::ranges::min_element(lists) < 0.95f);
+        CHECK(visibility("static_and_dynamic_layers", rest, still, still) != lists);
+    }
+}
+
 TEST_CASE("a layer array counts the surfaces that lie behind its layers, as lists do") {
     const oracle::triangles drawn = oracle::soup(60, 2);
     for (const std::string layers : {"1", "5", "32"}) {
@@ -266,7 +357,49 @@ TEST_CASE("all sources of surfaces give the same occlusion for the same fragment
         const std::vector<float> linked = visibility("linked_lists:16x64", rest);
         CHECK(linked == visibility("linear_lists:16x64", rest));
         CHECK(linked == visibility("layer_array:16", rest));
+        CHECK(linked == visibility("dual_peeled_layers:16", rest));
         CHECK(visibility("linked_lists:8x64", rest) == visibility("peeled_layers:8", rest));
         CHECK(std::ranges::min(linked) < 0.8f);
     }
+}
+
+TEST_CASE("coplanar surfaces come out the same in whatever order they are drawn") {
+    oracle::triangles drawn = oracle::soup(5, 7);
+    const oracle::triangles same = drawn, other = oracle::turned(drawn);
+    for (const oracle::triangles* each : {&same, &other})
+        drawn.insert(drawn.end(), each->begin(), each->end());
+    const std::size_t count = drawn.size() / 3;
+    REQUIRE(count <= colors.size());
+    for (const std::string source : {"linked_lists:20x64", "linear_lists:20x64", "layer_array:20"})
+        for (const std::string rest : {"composite", "composite/compressed_occluders:4",
+                                       "every_layer/compressed:4", "thin_layers", "compressed:2"}) {
+            CAPTURE(source);
+            CAPTURE(rest);
+            oracle::fragment_capture capture("directions:2x4/" + source + "/hbao/" + rest + "/r32f", width,
+                                             height, lens::standard, "visibility");
+            capture.set("radius", 3);
+            put_receivers(capture);
+            std::vector<float> visibility, blended;
+            for (std::size_t step : {1u, 2u, 7u, 14u}) { // which have no divisor in common with 15
+                oracle::triangles permuted;
+                oracle::color_table permuted_colors = colors;
+                for (std::size_t i = 0; i < count; ++i) {
+                    const std::size_t from = i * step % count;
+                    permuted.insert(permuted.end(), &drawn[3 * from], &drawn[3 * from] + 3);
+                    permuted_colors[i] = colors[from];
+                }
+                capture.draw(permuted, permuted_colors);
+                const std::vector<float> found = capture.runner().download("visibility"),
+                                         color = rest.starts_with("composite")
+                                                     ? capture.runner().download("color")
+                                                     : std::vector<float>();
+                if (step == 1) {
+                    visibility = found;
+                    blended = color;
+                }
+                CHECK(found == visibility);
+                CHECK(color == blended);
+            }
+            CHECK(*std::ranges::min_element(visibility) < 0.9f);
+        }
 }

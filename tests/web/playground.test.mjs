@@ -220,7 +220,7 @@ test('of a lost context a sentence tells, and a button draws the same picture on
     assert.equal(await page.evaluate(() => globalThis.said_by_effect), 'crease: the context of WebGL 2 was lost, so make the effect anew once it is restored');
     const again = page.getByRole('alert').getByRole('button', {name: 'Draw again'});
     await again.waitFor();
-    assert.match(await text_of('lost'), /^The browser lost WebGL 2, as where .* and the picture with it\. Draw again$/);
+    assert.match(await text_of('lost'), /^The browser lost WebGL 2, and with it the picture: .*\. Draw again$/);
     assert.deepEqual(await page.evaluate(() => [globalThis.is_lost_before, globalThis.effect_before.lost]), [false, true]);
     await page.locator('#recipe').fill(other);
     await page.keyboard.press('Enter');

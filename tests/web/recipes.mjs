@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Recipes in which each part stands that goes with WebGPU.
 
-export function names_of(crease, role) {
+function names_of(crease, role) {
     return crease.parts.filter((part) => part.role === role).map(({name}) => name);
 }
 

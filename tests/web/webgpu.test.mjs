@@ -86,6 +86,8 @@ for (const recipe of [
     'tap_grid/single_layer/hbao_plus/multi_resolution',
     'hemisphere_points/single_layer/ssao/reconstructed_normals/tiled_noise/fragment',
     'slices/single_layer/gtao/compute_columns/r32f',
+    'sample_box/summed_area_adaptive:4x2/mean_height',
+    'box_area/n_buffer/unsharp_mask',
 ])
     test(`WebGPU gives the picture of the command, by GLSL as by SPIR-V: ${recipe}`, async () => {
         const picture = await picture_of(composed(recipe));

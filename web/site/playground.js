@@ -97,7 +97,7 @@ class Playground {
         const again = element('button', {type: 'button'}, 'Draw again');
         again.addEventListener('click', () => this.restore().catch(({message}) => (by_id('refusal').textContent = message)));
         const {textContent} = by_id('device').querySelector(`[value=${name}]`);
-        by_id('lost').replaceChildren(`The browser lost ${textContent}, as where a driver restarts or a frame takes too long, and the picture with it. `, again);
+        by_id('lost').replaceChildren(`The browser lost ${textContent}, and with it the picture: its driver may have restarted, or a frame taken too long. `, again);
     }
 
     /** Does what needs the device; what fails since that was lost is no error, and may come before the loss is told. */

@@ -17,7 +17,7 @@ const composed = {
 const translated = {hlsl: {title: 'HLSL'}, msl: {title: 'Metal'}, wgsl: {title: 'WGSL'}};
 const notes = {
     held: 'By SPIRV-Cross: what the command writes, beside a manifest that says by which numbers a host binds.',
-    naga: 'By naga in this page, with fixed numbers: the command has SPIRV-Cross write it in half the words, with numbers that a host may set.',
+    naga: 'By naga in this page, with fixed numbers: the command has SPIRV-Cross write half as much, with numbers left to the host and bindings counted by kind.',
     wgsl: 'By naga of GLSL. The command has naga make it of SPIR-V: other words, the same numbers.',
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // HLSL and Metal as naga makes them of GLSL for WebGPU.
 
-/** By the number of a binding naga knows it in HLSL alone: what it leaves open in Metal is put in. */
+/** naga numbers bindings by their slots in HLSL alone; the gaps that it leaves in Metal are filled alike. */
 function numbered(text, bindings) {
     const slots = new Map(bindings.map(({name, access, slot}) => [access === 'uniform' ? 'crease_given' : `crease_${name}`, slot]));
     return text.replace(/(constant \w+&|metal::texture\S+ \S+) (\w+) \[\[user\(fake0\)\]\]/g, (_, type, name) =>

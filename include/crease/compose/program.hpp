@@ -290,6 +290,8 @@ private:
         // A host that takes functions writes its own #version, #extension and precision.
         if (uses("unroll"))
             text << "#define crease_unroll" << (has_main_ && is_vulkan_ ? " [[unroll]]\n" : "\n");
+        if (uses("precise")) // a word that GLSL ES 3.10 and naga lack
+            text << "#define crease_precise" << (is_es_ || is_webgpu_ ? "\n" : " precise\n");
         if (pass_.stage != stage_kind::compute)
             return;
         text << "layout(local_size_x = " << out_.constants[0].value

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
 int crease_group_count();
+float crease_fragment_depth(uint key);
+uvec2 crease_fragment_surface(ivec2 texel, uint place);
 #else
 __LINE__, R"glsl("
 #endif
 
 // The layers of a texel that matter most, nearest first: a-buffer-ssao 2013, III.B. A texel of four has their depths in radii
-// as halves, which of back faces are negative, their opacities in a byte each, and their normals in 24 bits each.
+// as halves, which of back faces are negative, their opacities in a byte each, and for receivers that read them their
+// normals in 24 bits each.
 struct crease_nodes {
     float depths[8];
     uvec2 surfaces[8]; // color and normal, packed
@@ -49,6 +52,16 @@ crease_nodes crease_begin_nodes() {
         nodes.surfaces[i] = uvec2(0xff000000u, 0u);
     }
     nodes.count = 0;
+    return nodes;
+}
+
+crease_nodes crease_compress(ivec2 texel, crease_fragments sorted) {
+    crease_nodes nodes = crease_begin_nodes();
+    crease_unroll for (int i = 0; i < crease_most_surfaces; ++i) {
+        float depth = crease_fragment_depth(sorted.keys[i]);
+        if (depth < crease_background)
+            crease_add_node(nodes, depth, crease_fragment_surface(texel, sorted.places[i]));
+    }
     return nodes;
 }
 

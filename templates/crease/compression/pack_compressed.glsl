@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
 int crease_group_count();
-float crease_fragment_depth(uint key);
-uvec2 crease_fragment_surface(ivec2 texel, uint place);
-void crease_add_node(inout crease_nodes nodes, float depth, uvec2 surface);
-crease_nodes crease_begin_nodes();
+crease_nodes crease_compress(ivec2 texel, crease_fragments sorted);
 void crease_store_nodes(ivec2 texel, crease_nodes nodes);
 #else
 __LINE__, R"glsl("
@@ -20,12 +17,7 @@ void crease_store_normals(ivec2 texel, crease_nodes nodes) {
 }
 
 void crease_pack_fragments(ivec2 texel, crease_fragments sorted) {
-    crease_nodes nodes = crease_begin_nodes();
-    crease_unroll for (int i = 0; i < crease_most_surfaces; ++i) {
-        float depth = crease_fragment_depth(sorted.keys[i]);
-        if (depth < crease_background)
-            crease_add_node(nodes, depth, crease_fragment_surface(texel, sorted.places[i]));
-    }
+    crease_nodes nodes = crease_compress(texel, sorted);
     crease_store_nodes(texel, nodes);
     crease_store_normals(texel, nodes);
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT-0
-#ifdef __cplusplus
+#ifndef __cplusplus
+uint crease_kept_key(ivec2 texel, int layer);
+#else
 __LINE__, R"glsl("
 #endif
 
@@ -7,7 +9,7 @@ __LINE__, R"glsl("
 crease_fragments crease_sorted_fragments(ivec2 texel) {
     crease_fragments sorted;
     crease_unroll for (int i = 0; i < crease_most_layers; ++i)
-        sorted.keys[i] = crease_load_fragment_layers(ivec3(texel, i)).x;
+        sorted.keys[i] = crease_kept_key(texel, i);
     return sorted;
 }
 #ifdef __cplusplus

@@ -88,7 +88,12 @@ crease_contribution crease_combine_first_layers(crease_march march, crease_recei
     crease_contribution all = crease_weigh_faded(
         march, receiver, tap, crease_layer_of_group(tap.texel, group, 0, group.depths.y));
     all = crease_combine_faded_rest(march, receiver, tap, all, group, next.depths.x);
-    if (crease_group_count() > 1) // or some drivers keep the layers in memory for a loop that never runs
+    // Without a loop, or some drivers keep the layers in memory for it, even where it never runs.
+    if (crease_group_count() == 2) {
+        all = crease_combine_faded(march, receiver, tap, all, next, 0, next.depths.y);
+        all = crease_combine_faded_rest(march, receiver, tap, all, next, crease_background);
+    }
+    if (crease_group_count() > 2)
         for (int i = 2; i <= crease_group_count() && next.depths.x < crease_background; ++i) {
             group = next;
             next = crease_group_behind(layers, group, i);

@@ -14,12 +14,15 @@ __LINE__, R"glsl("
 // Layers of which depths are known, and of the first the normal, as that one receives.
 const int crease_most_coarse_layers = crease_most_layers;
 
+uint crease_opacity_byte(crease_layer layer) { return 255u; }
+
 uvec4 crease_layer_to_halve(vec2 texel, int i) {
-    vec3 position = crease_layer_at(crease_fetch_layers(texel), i).position;
+    crease_layer layer = crease_layer_at(crease_fetch_layers(texel), i);
+    vec3 position = layer.position;
     if (!(position.z < 0.0 && position.z > -crease_background))
         position = crease_view_position(texel, crease_background);
     vec3 normal = i == 0 ? crease_normal_at(texel, position) : vec3(0.0, 0.0, 1.0);
-    return uvec4(floatBitsToUint(position), crease_pack_surface_normal(normal));
+    return uvec4(floatBitsToUint(position), crease_pack_surface_normal(normal) | crease_opacity_byte(layer) << 24u);
 }
 
 crease_contribution crease_weigh_coarse_layer(crease_march march, crease_receiver receiver, crease_tap tap, uvec4 layer) {

@@ -11,6 +11,11 @@ inline constexpr glsl_file nodes_glsl{
 #include <crease/compression/nodes.glsl>
 };
 
+inline constexpr glsl_file pack_nodes_glsl{
+    "compression/pack_nodes.glsl",
+#include <crease/compression/pack_nodes.glsl>
+};
+
 /// Keeps all surfaces for receivers, with their colours.
 CREASE_TRAIT(all_surfaces, layer_compression,
              "the output blends the colours of all layers, and the compression keeps them of none");

@@ -15,9 +15,14 @@ inline constexpr glsl_file dual_peel_layers_glsl{
 #include <crease/depth/dual_peel_layers.glsl>
 };
 
-inline constexpr glsl_file dual_sorted_fragments_glsl{
-    "depth/dual_sorted_fragments.glsl",
-#include <crease/depth/dual_sorted_fragments.glsl>
+inline constexpr glsl_file dual_kept_key_glsl{
+    "depth/dual_kept_key.glsl",
+#include <crease/depth/dual_kept_key.glsl>
+};
+
+inline constexpr glsl_file dual_sorted_surfaces_glsl{
+    "depth/dual_sorted_surfaces.glsl",
+#include <crease/depth/dual_sorted_surfaces.glsl>
 };
 
 struct dual_peeled_layers_part {
@@ -28,11 +33,11 @@ struct dual_peeled_layers_part {
         capture_places[0],
         capture_places[1],
         capture_places[2]};
-    static constexpr resource owns[] = {fragment_layers, packed_layers};
     static constexpr const glsl_file* drawing[] = {&capture_fragment_glsl, &dual_peel_layers_glsl,
                                                    &fragment_key_glsl};
-    static constexpr const glsl_file* packing[] = {&pack_fragments_glsl, &dual_sorted_fragments_glsl,
-                                                   &fragments_glsl};
+    static constexpr const glsl_file* packing_surfaces[] = {&pack_surfaces_glsl, &order_equal_fragments_glsl,
+                                                            &dual_sorted_surfaces_glsl, &dual_kept_key_glsl,
+                                                            &surface_fragments_glsl};
     static constexpr step passes[] = {
         peeling::peel<0>("peel_layers_0", drawing, 1),
         peeling::peel<1>("peel_layers_1", drawing, 3),
@@ -42,7 +47,8 @@ struct dual_peeled_layers_part {
         peeling::peel<5>("peel_layers_5", drawing, 11),
         peeling::peel<6>("peel_layers_6", drawing, 13),
         peeling::peel<7>("peel_layers_7", drawing, 15),
-        {.name = "pack_layers", .files = packing, .kind = step_kind::texels, .writes = fills_packed_layers}};
+        capture_surfaces("capture_surfaces", captures_surfaces<&dual_kept_key_glsl>),
+        pack_kept_fragments(packs_sorted_fragments<&dual_kept_key_glsl>, packing_surfaces)};
     static constexpr const glsl_file* files[] = {&dual_peeled_layers_glsl, &sided_layers_glsl,
                                                  &packed_layers_glsl};
     static constexpr part description{
@@ -52,18 +58,19 @@ struct dual_peeled_layers_part {
             "the nearest and the farthest layers of each texel, exactly, in a geometry pass for each two",
         .source = "dual depth peeling, Bavoil and Myers 2008; a-buffer-ssao 2013, V",
         .files = files,
-        .widened = packed_layers_widened,
+        .widened = kept_sources_widened,
         .numbers = takes,
-        .resources = owns,
+        .resources = peeling::resources,
         .steps = passes,
-        .offers = traits<depth_layers, sorted_layers, layers_behind_front, layers_in_strips>::list,
+        .offers = peeling::offered::list,
     };
 };
 
 /// Depth source: as `peeled_layers`, but each geometry pass keeps the nearest and the farthest of what is
 /// left of a texel. Of more fragments than `Layers`, half are the nearest, one more where the number is odd,
-/// and the others the farthest; what lies between them is lost, and not counted. The other numbers place its
-/// bindings and constants among those of the host's geometry pass.
+/// and the others the farthest; what lies between them is lost, and not counted. Where layers are needed with
+/// their opacity, a last geometry pass, `capture_surfaces`, keeps their colours and normals. The other
+/// numbers place its bindings and constants among those of the host's geometry pass.
 template <int Layers = 8, int Set = 0, int FirstBinding = 0, int FirstConstant = 0>
 struct dual_peeled_layers : dual_peeled_layers_part {
     static constexpr int numbers[] = {Layers, Set, FirstBinding, FirstConstant};

@@ -90,12 +90,7 @@ inline constexpr resource fragments_beyond_pool =
     fragments_lost("fragments_beyond_pool",
                    "fragments that found the pool of nodes full: more nodes for each texel keep them");
 
-/// The names of what a geometry pass or a packing pass fills, the image first.
-/// @{
+/// What a geometry pass fills.
 inline constexpr std::string_view fills_fragment_layers[] = {"fragment_layers"};
-inline constexpr std::string_view fills_packed_layers[] = {"packed_layers"};
-inline constexpr std::string_view fills_packed_layers_counting[] = {"packed_layers",
-                                                                    "fragments_beyond_layers"};
-/// @}
 
 }

@@ -25,14 +25,15 @@ struct layer_array_part {
     static constexpr const glsl_file* drawing[] = {&capture_fragment_glsl, &layer_array_draw_glsl,
                                                    &fragment_key_glsl, &fragments_glsl};
     static constexpr std::string_view drawn[] = {"fragment_layers", "fragments_beyond_layers"};
-    static constexpr step passes[] = {{.name = "capture_layers",
-                                       .files = drawing,
-                                       .widened = {&layers_with_opacity::value, captures_visible_fragments},
-                                       .kind = step_kind::geometry,
-                                       .writes = drawn,
-                                       .how = access::modify},
-                                      capture_surfaces,
-                                      pack_sorted_fragments};
+    static constexpr step passes[] = {
+        {.name = "capture_layers",
+         .files = drawing,
+         .widened = {&layers_with_opacity::value, captures_visible_fragments},
+         .kind = step_kind::geometry,
+         .writes = drawn,
+         .how = access::modify},
+        capture_surfaces("capture_surfaces", captures_surfaces<&kept_key_glsl>),
+        pack_kept_fragments(packs_sorted_fragments<&kept_key_glsl>, packs_sorted_surfaces<&kept_key_glsl>)};
     static constexpr const glsl_file* files[] = {&layer_array_glsl, &sided_layers_glsl, &packed_layers_glsl};
     static constexpr part description{
         .kind = role::depth_source,
@@ -40,12 +41,12 @@ struct layer_array_part {
         .summary = "the nearest layers of each texel, exactly, in an array image",
         .source = "a-buffer-ssao 2013, IV.C, with layers that stay sorted",
         .files = files,
-        .widened = packed_sources_widened,
+        .widened = kept_sources_widened,
         .numbers = takes,
         .resources = owns,
         .steps = passes,
         .offers = traits<depth_layers, sorted_layers, layers_behind_front, layers_with_opacity,
-                         layers_in_strips>::list,
+                         layers_with_normals, layers_in_strips>::list,
     };
 };
 

@@ -27,6 +27,10 @@ CREASE_TRAIT(layers_of_two_views, depth_source,
 CREASE_TRAIT(layers_with_opacity, depth_source,
              "layers are needed with their opacity, and the depth source keeps depths alone");
 
+/// Layers with normals for receivers, which a source with opacity need not keep where no part needs it.
+CREASE_TRAIT(layers_with_normals, depth_source,
+             "the receivers are layers, and the depth source keeps no normals of them");
+
 /// Layers that the stage may keep in shared memory, along the rows and columns of a workgroup: where a part
 /// needs it, `void crease_keep_in_strips(int place, vec2 texel)` keeps those of a texel, one of a source with
 /// nothing behind the front and else the nearest four, and taps look for theirs by

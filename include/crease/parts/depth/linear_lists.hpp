@@ -134,9 +134,9 @@ struct linear_lists_part {
     static constexpr const glsl_file* drawing_surfaces[] = {
         &linear_surfaces_draw_glsl, &linear_lists_next_glsl, &linear_surfaces_range_glsl,
         &encoding_surface_normal_glsl, &encoding_octahedron_glsl};
-    static constexpr const glsl_file* packing_surfaces[] = {&pack_surfaces_glsl, &linear_surfaces_sort_glsl,
-                                                            &linear_surfaces_range_glsl,
-                                                            &surface_fragments_glsl};
+    static constexpr const glsl_file* packing_surfaces[] = {
+        &pack_surfaces_glsl, &order_equal_fragments_glsl, &linear_surfaces_sort_glsl,
+        &linear_surfaces_range_glsl, &surface_fragments_glsl};
     static constexpr std::string_view counted[] = {"list_places", "nearest_fragments"};
     static constexpr std::string_view places[] = {"list_places"};
     static constexpr std::string_view starts[] = {"column_starts"};
@@ -184,7 +184,7 @@ struct linear_lists_part {
         .resources = owns,
         .steps = passes,
         .offers = traits<depth_layers, sorted_layers, layers_behind_front, layers_with_opacity,
-                         layers_in_strips>::list,
+                         layers_with_normals, layers_in_strips>::list,
         .required_roles = required,
     };
 };

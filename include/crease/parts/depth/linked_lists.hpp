@@ -75,7 +75,8 @@ struct linked_lists_part {
         compressed_normals};
     static constexpr const glsl_file* drawing_surfaces[] = {
         &linked_surfaces_draw_glsl, &encoding_surface_normal_glsl, &encoding_octahedron_glsl};
-    static constexpr const glsl_file* packing_surfaces[] = {&pack_surfaces_glsl, &linked_surfaces_sort_glsl,
+    static constexpr const glsl_file* packing_surfaces[] = {&pack_surfaces_glsl, &order_equal_fragments_glsl,
+                                                            &linked_surfaces_sort_glsl,
                                                             &surface_fragments_glsl};
     static constexpr const glsl_file* drawing[] = {&linked_lists_draw_glsl, &fragment_key_glsl,
                                                    &fragments_glsl};
@@ -107,7 +108,7 @@ struct linked_lists_part {
         .resources = owns,
         .steps = passes,
         .offers = traits<depth_layers, sorted_layers, layers_behind_front, layers_with_opacity,
-                         layers_in_strips>::list,
+                         layers_with_normals, layers_in_strips>::list,
     };
 };
 

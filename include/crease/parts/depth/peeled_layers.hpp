@@ -29,7 +29,7 @@ struct peeled_layers_part {
         .summary = "the nearest layers of each texel, exactly, in a geometry pass each",
         .source = "depth peeling, Everitt 2001; the baseline of a-buffer-ssao 2013, V",
         .files = files,
-        .widened = packed_sources_widened,
+        .widened = kept_sources_widened,
         .numbers = takes,
         .resources = peeling::resources,
         .steps = peeling::nearest_first<&peeled_layers_behind_glsl>,

@@ -39,24 +39,25 @@ inline constexpr const glsl_file* drawing[] = {&capture_fragment_glsl, &peel_lay
 
 /// The layers one by one, the nearest first.
 template <const glsl_file* Behind>
-inline constexpr step nearest_first[] = {peel<0>("peel_layer_0", drawing<Behind>),
-                                         peel<1>("peel_layer_1", drawing<Behind>),
-                                         peel<2>("peel_layer_2", drawing<Behind>),
-                                         peel<3>("peel_layer_3", drawing<Behind>),
-                                         peel<4>("peel_layer_4", drawing<Behind>),
-                                         peel<5>("peel_layer_5", drawing<Behind>),
-                                         peel<6>("peel_layer_6", drawing<Behind>),
-                                         peel<7>("peel_layer_7", drawing<Behind>),
-                                         capture_surfaces,
-                                         pack_sorted_fragments};
+inline constexpr step nearest_first[] = {
+    peel<0>("peel_layer_0", drawing<Behind>),
+    peel<1>("peel_layer_1", drawing<Behind>),
+    peel<2>("peel_layer_2", drawing<Behind>),
+    peel<3>("peel_layer_3", drawing<Behind>),
+    peel<4>("peel_layer_4", drawing<Behind>),
+    peel<5>("peel_layer_5", drawing<Behind>),
+    peel<6>("peel_layer_6", drawing<Behind>),
+    peel<7>("peel_layer_7", drawing<Behind>),
+    capture_surfaces("capture_surfaces", captures_surfaces<&kept_key_glsl>),
+    pack_kept_fragments(packs_sorted_fragments<&kept_key_glsl>, packs_sorted_surfaces<&kept_key_glsl>)};
 
 /// What they fill.
 inline constexpr resource resources[] = {fragment_layers,   fragment_surfaces, packed_layers,
                                          packed_opacities,  layer_surfaces,    compressed_layers,
                                          compressed_normals};
 /// What they offer.
-using offered =
-    traits<depth_layers, sorted_layers, layers_behind_front, layers_with_opacity, layers_in_strips>;
+using offered = traits<depth_layers, sorted_layers, layers_behind_front, layers_with_opacity,
+                       layers_with_normals, layers_in_strips>;
 
 }
 

@@ -31,7 +31,7 @@ struct separated_layers_part {
         .summary = "the first layer, and the nearest that lies a least separation behind it",
         .source = "deep G-buffers, Mara et al. 2016",
         .files = files,
-        .widened = packed_sources_widened,
+        .widened = kept_sources_widened,
         .numbers = takes,
         .settings = reads,
         .resources = peeling::resources,

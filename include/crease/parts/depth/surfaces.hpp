@@ -22,6 +22,11 @@ inline constexpr glsl_file surface_fragments_glsl{
 #include <crease/depth/surface_fragments.glsl>
 };
 
+inline constexpr glsl_file order_equal_fragments_glsl{
+    "depth/order_equal_fragments.glsl",
+#include <crease/depth/order_equal_fragments.glsl>
+};
+
 inline constexpr glsl_file pack_surfaces_glsl{
     "depth/pack_surfaces.glsl",
 #include <crease/depth/pack_surfaces.glsl>
@@ -76,8 +81,8 @@ constexpr void shape_compressed_normals(resource& own, const shape_of& effect) {
     own.layers *= 2;
 }
 
-/// What a layer compression keeps of a texel: depths and opacities in groups of four, and with
-/// `compressed_normals` their normals.
+/// What a layer compression keeps of a texel: depths and opacities in groups of four, and where
+/// layers_with_normals is needed, with `compressed_normals`, their normals.
 inline constexpr resource compressed_layers{.name = "compressed_layers",
                                             .texels = format::rgba32_uint,
                                             .life = lifetime::transient,

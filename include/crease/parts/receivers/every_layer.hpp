@@ -13,7 +13,7 @@ inline constexpr glsl_file every_layer_glsl{
 /// Receivers: every layer that the depth source keeps of a texel, merged by opacity. Surfaces are those of
 /// solids: the hemisphere of the side that is seen counts.
 struct every_layer {
-    using needs = traits<layers_with_opacity, layers_alone>;
+    using needs = traits<layers_with_opacity, layers_with_normals, layers_alone>;
     static constexpr const glsl_file* files[] = {&every_layer_glsl, &surfaces_glsl};
     static constexpr part description{
         .kind = role::receivers,

@@ -18,7 +18,7 @@ CREASE_TRAIT(both_sides, estimator,
 /// Receivers: every layer that the depth source keeps of a texel, merged by opacity. Surfaces are thin hulls:
 /// the hemispheres of both sides count, by the opacity.
 struct thin_layers {
-    using needs = traits<layers_with_opacity, layers_alone, both_sides>;
+    using needs = traits<layers_with_opacity, layers_with_normals, layers_alone, both_sides>;
     static constexpr const glsl_file* files[] = {&thin_layers_glsl, &surfaces_glsl};
     static constexpr part description{
         .kind = role::receivers,

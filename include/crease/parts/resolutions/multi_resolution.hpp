@@ -53,6 +53,11 @@ inline constexpr glsl_file multi_resolution_depths_glsl{
 #include <crease/resolutions/multi_resolution_depths.glsl>
 };
 
+inline constexpr glsl_file multi_resolution_opacities_glsl{
+    "resolutions/multi_resolution_opacities.glsl",
+#include <crease/resolutions/multi_resolution_opacities.glsl>
+};
+
 inline constexpr glsl_file multi_resolution_surfaces_glsl{
     "resolutions/multi_resolution_surfaces.glsl",
 #include <crease/resolutions/multi_resolution_surfaces.glsl>
@@ -175,7 +180,9 @@ struct multi_resolution_part {
                                                  &multi_resolution_layer_glsl,  &multi_resolution_depths_glsl,
                                                  &encoding_surface_normal_glsl, &encoding_octahedron_glsl};
     static constexpr const glsl_file* of_surfaces[] = {&multi_resolution_surfaces_glsl};
-    static constexpr files_where more[] = {{&layers_with_opacity::value, of_surfaces}};
+    static constexpr const glsl_file* of_opacities[] = {&multi_resolution_opacities_glsl};
+    static constexpr files_where more[] = {{&layers_with_normals::value, of_surfaces},
+                                           {&layers_with_opacity::value, of_opacities}};
     static constexpr part description{
         .kind = role::resolutions,
         .name = "multi_resolution",

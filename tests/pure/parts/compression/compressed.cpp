@@ -39,8 +39,16 @@ TEST_CASE("the main pass touches compressed layers alone") {
     CHECK_FALSE(contains(few<4>::source<2>(), "crease_list_nodes"));
 }
 
-TEST_CASE("a compression serves first surfaces too") {
-    using opaque = effect<directions<2, 4>, linked_lists<16>, hbao, compressed<>>;
+TEST_CASE("a compression serves first surfaces too, of which no normals are kept") {
+    using opaque = effect<directions<2, 4>, linked_lists<16>, hbao, compressed<8>>;
     CHECK(opaque::passes[0].takes_surfaces);
     CHECK(contains(opaque::source<2>(), "crease_depth_at("));
+    const resource* layers = find<opaque>("compressed_layers");
+    REQUIRE(layers);
+    CHECK(layers->layers == 2);
+    CHECK_FALSE(find<opaque>("compressed_normals"));
+    using of_array = effect<directions<2, 4>, layer_array<16>, hbao, compressed<>>;
+    CHECK(find<of_array>("fragment_surfaces")->layers == 16);
+    using transparent = effect<directions<2, 4>, layer_array<16>, hbao, every_layer, compressed<>>;
+    CHECK(find<transparent>("fragment_surfaces")->layers == 32);
 }

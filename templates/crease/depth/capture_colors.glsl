@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT-0
+#ifndef __cplusplus
+int crease_claim_layer(ivec2 texel, vec4 color);
+#else
+__LINE__, R"glsl("
+#endif
+
+// Keeps the color, whose alpha is the opacity, of each fragment that has a layer.
+
+// Called by the host's fragment shader, after its own alpha test. `anchor`: the position on the surface, as other
+// captures take it; `normal`: view space, unit, as the triangle faces; `color`: linear, its alpha the opacity. What has
+// none is not stored.
+void crease_capture(vec3 anchor, vec3 normal, vec4 color) { crease_claim_layer(ivec2(gl_FragCoord.xy), color); }
+#ifdef __cplusplus
+")glsl"
+#endif
