@@ -68,12 +68,16 @@ inline constexpr resource fragment_surfaces{.name = "fragment_surfaces",
 /// What is captured where opacity counts, before other files.
 inline constexpr const glsl_file* captures_visible_fragments[] = {&capture_visible_fragment_glsl};
 
-/// A geometry pass that keeps the surfaces.
-/// @param drawing    with `uint crease_kept_key(ivec2 texel, int layer)`
-/// @param constants  that this asks for
+/// What a geometry pass that keeps surfaces has and fills.
 /// @{
 inline constexpr const glsl_file* captures_normals[] = {&capture_surfaces_glsl};
 inline constexpr std::string_view fills_fragment_surfaces[] = {"fragment_surfaces"};
+/// @}
+
+/// A geometry pass that keeps surfaces.
+/// @param name       of the pass
+/// @param drawing    with `uint crease_kept_key(ivec2 texel, int layer)`
+/// @param constants  that this asks for
 constexpr step capture_surfaces(std::string_view name, array_view<const glsl_file* const> drawing,
                                 array_view<const step_constant> constants = {}) {
     return {.name = name,
@@ -85,7 +89,6 @@ constexpr step capture_surfaces(std::string_view name, array_view<const glsl_fil
             .how = access::modify,
             .needed = &layers_with_opacity::value};
 }
-/// @}
 
 /// The packing pass.
 /// @param packing           with `crease_fragments crease_sorted_fragments(ivec2 texel)`
