@@ -4,6 +4,10 @@ include(${CMAKE_CURRENT_LIST_DIR}/crease_find.cmake)
 # What crease::spirv needs; glslang's package names Threads and does not look for it.
 set(crease_spirv_packages Threads glslang SPIRV-Headers SPIRV-Tools-opt)
 
+# The headers of these that crease::spirv includes, for targets that compile them once for all of their sources.
+set(crease_spirv_includes <glslang/SPIRV/GlslangToSpv.h> <glslang/Public/ResourceLimits.h> <glslang/Public/ShaderLang.h>
+                          <spirv-tools/libspirv.hpp> <spirv-tools/optimizer.hpp> <spirv/unified1/spirv.hpp>)
+
 # crease_add_spirv(): the target crease::spirv, whose packages must have been found.
 function(crease_add_spirv)
     cmake_path(GET CMAKE_CURRENT_FUNCTION_LIST_DIR PARENT_PATH root)

@@ -170,6 +170,9 @@ TEST_CASE("depth source") {
     check<parts_page::with_slab>();
     check<parts_page::with_nearest_nodes>();
 }
+TEST_CASE("resolutions") {
+    check<parts_page::with_near_and_far>();
+}
 TEST_CASE("sampler") {
     check<parts_page::with_cross>();
 }

@@ -31,8 +31,10 @@ rendered render(const oracle::picture& p, const std::string& text, double radius
     const crease::parameters how = oracle::view_parameters(p, composed, radius);
     oracle::upload(runner, composed, p);
     runner.run(how);
-    return {oracle::settings_of(how, composed), runner.download("visibility"), runner.download("area_tables"),
-            runner.download("range")};
+    const bool has_tables = std::ranges::any_of(
+        composed.view().resources, [](const crease::resource& each) { return each.name == "area_tables"; });
+    return {oracle::settings_of(how, composed), runner.download("visibility"),
+            has_tables ? runner.download("area_tables") : std::vector<float>(), runner.download("range")};
 }
 
 /// The sums of a layer of a recipe's tables, with the centring undone: `before(x, y)` is exclusive.

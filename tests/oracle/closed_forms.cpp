@@ -73,7 +73,8 @@ TEST_CASE("odd sizes") {
             CAPTURE(std::string(filters));
             const oracle::picture p = oracle::draw({{kind::plane, {0, 0, -2}, {0, 0.5, 0.8660254}}},
                                                    lens::standard, size.x, size.y);
-            for (const char* stage : {"", "/fragment"}) {
+            for (const char* stage : {"", "/compute_columns:8x8x3", "/fragment"}) {
+                CAPTURE(std::string(stage));
                 const auto image = oracle::run(p, std::string(recipes[1]) + filters + stage, 0.5);
                 CHECK(image.size() == p.device.size());
                 CHECK(least(image) >= 0.995f);

@@ -151,6 +151,31 @@ TEST_CASE("normals as hosts have them give what those of view space give") {
     }
 }
 
+TEST_CASE("what stands just before the far plane leaves the background of logarithmic depth open") {
+    const double far_plane = 50;
+    const oracle::picture p =
+        oracle::draw({{oracle::surface::kind::half_plane, {0, 0, -(far_plane - 1)}, {0, 0, 1}}},
+                     oracle::lens::standard, 64, 48);
+    std::vector<float> depth;
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x)
+            depth.push_back(
+                p.background(x, y) ? 1 : static_cast<float>(std::log2(far_plane) / std::log2(1 + far_plane)));
+    const auto composed = oracle::compose("directions:8x4/single_layer/hbao_plus/logarithmic_depth");
+    crease::parameters how = oracle::view_parameters(p, *composed, 10);
+    oracle::set(how, *composed, "logarithmic_depth.far", far_plane);
+    crease::vulkan::runner runner(oracle::device(), *composed, static_cast<unsigned>(p.width),
+                                  static_cast<unsigned>(p.height));
+    oracle::upload(runner, *composed, p);
+    runner.upload("depth", depth);
+    runner.run(how);
+    const std::vector<float> found = runner.download("visibility");
+    for (int y = 0; y < p.height; ++y)
+        for (int x = 0; x < p.width; ++x)
+            if (p.background(x, y))
+                REQUIRE(found[p.index(x, y)] == 1);
+}
+
 TEST_CASE("logarithmic depth gives what device depth gives") {
     const oracle::picture p = oracle::draw(oracle::still_life(), oracle::lens::standard, 97, 61);
     for (const double far_plane : {60.0, 1e5}) {

@@ -238,12 +238,19 @@ seen_layers expected_of(const surfaces& layers, const settings& s, bool thin, co
 struct case_of {
     std::string sampler, estimator;
     occlusion_of occlusion;
+    oracle::difference allowed = oracle::of_rounding;
 };
+
+/// The edges of a layer are rounded to sectors of 32; as many of all are hidden as its opacity rounds to,
+/// spread from the eye on, so that fewer are at the tangent plane. At most half as much again as was
+/// measured.
+constexpr oracle::difference of_sectors{
+    .typical = 0.04, .mean = 0.012, .border = 0.012, .most = 0.1, .bias = 0.011};
 
 const case_of cases[] = {{"directions:5x4", "hbao_plus", hbao_plus},
                          {"directions:5x4", "hbao", hbao},
                          {"slices:3x4", "gtao", gtao},
-                         {"slices:3x4", "visibility_bitmask", visibility_bitmask},
+                         {"slices:3x4", "visibility_bitmask", visibility_bitmask, of_sectors},
                          {"hemisphere_points:12", "ssao", ssao},
                          {"sphere_points:12", "point_volume", point_volume},
                          {"sphere_lines:12", "line_volume", line_volume}};
@@ -264,6 +271,48 @@ std::array<std::uint32_t, 16> all_of(std::uint32_t opacity) {
     return colors;
 }
 
+/// How open the inner side of a wall is, which is half transparent and open on its outer side, before what is
+/// opaque; within a radius of 1. By the equations (2) and (3) the picture has it beside what is open of the
+/// outer side.
+class half_transparent_wall {
+public:
+    explicit half_transparent_wall(const std::string& parts)
+        : outer_(captured(parts + "/every_layer")), both_(captured(parts + "/thin_layers")) {}
+    double open_inside(const oracle::triangles& behind) {
+        constexpr double alpha = 128 / 255.0;
+        return 1 - (seen(*outer_, behind) - seen(*both_, behind)) / (alpha * (1 - alpha));
+    }
+    settings set() const { return oracle::settings_of(both_->parameters(), both_->effect()); }
+
+private:
+    using capture = std::unique_ptr<oracle::fragment_capture>;
+    static constexpr unsigned across = 160, down = 96, middle = 32;
+
+    static capture captured(const std::string& parts) {
+        auto made = std::make_unique<oracle::fragment_capture>(parts + "/r32f", across, down, lens::standard,
+                                                               "visibility");
+        made->set("radius", 1);
+        return made;
+    }
+
+    /// The mean of the picture's middle.
+    static double seen(oracle::fragment_capture& by, const oracle::triangles& behind) {
+        oracle::triangles drawn = oracle::wall(3);
+        drawn.insert(drawn.end(), behind.begin(), behind.end());
+        std::array<std::uint32_t, 16> colors = all_of(255);
+        colors[0] = colors[1] = 0x80808080u;
+        by.draw(drawn, colors);
+        const std::vector<float> all = by.runner().download("visibility");
+        double sum = 0;
+        for (unsigned y = (down - middle) / 2; y < (down + middle) / 2; ++y)
+            for (unsigned x = (across - middle) / 2; x < (across + middle) / 2; ++x)
+                sum += double{all[y * across + x]};
+        return sum / (middle * middle);
+    }
+
+    capture outer_, both_;
+};
+
 }
 
 TEST_CASE("every layer against the oracle: occlusion by opacity, blended front to back") {
@@ -280,7 +329,7 @@ TEST_CASE("every layer against the oracle: occlusion by opacity, blended front t
                 expected_of(made->surfaces(), s, thin, each.occlusion).visibility;
             const std::vector<float> found = made->runner().download("visibility");
             CHECK(*std::ranges::min_element(found) < 0.8f);
-            oracle::check_within(oracle::compare(found, expected, width), oracle::of_rounding);
+            oracle::check_within(oracle::compare(found, expected, width), each.allowed);
         }
 }
 
@@ -294,7 +343,8 @@ TEST_CASE("opacity 1 everywhere is the occlusion of the first surface by all lay
           "slices:4x8/linked_lists:32x64/cosine_bitmask:0x0",
           "slices:4x8/linked_lists:32x64/cosine_bitmask:1x1", "slices:4x8/linked_lists:3x64/cosine_bitmask",
           "hemisphere_points:12/linked_lists:32x64/ssao", "sphere_points:12/linked_lists:32x64/point_volume",
-          "sphere_lines:12/linked_lists:32x64/line_volume"}) {
+          "sphere_lines:12/linked_lists:32x64/line_volume",
+          "tap_grid:6/linked_lists:32x64/hbao_plus/multi_resolution:3x5"}) {
         CAPTURE(parts);
         const auto of_layers = run(parts + "/every_layer/r32f", drawn, all_of(255));
         const surfaces layers = of_layers->surfaces();
@@ -336,10 +386,13 @@ TEST_CASE("opacity 0 neither casts nor receives") {
     std::array<std::uint32_t, 16> colors = all_of(150);
     for (std::size_t i = 1; i < colors.size(); i += 2)
         colors[i] &= 0xffffffu;
-    for (const std::string source : {"linked_lists:16x64", "dual_peeled_layers:16", "dual_peeled_layers:4",
-                                     "static_and_dynamic_layers"}) {
-        CAPTURE(source);
-        const std::string recipe = "directions:5x4/" + source + "/hbao/thin_layers/r32f";
+    for (const std::string recipe :
+         {"directions:5x4/linked_lists:16x64/hbao/thin_layers/r32f",
+          "directions:5x4/dual_peeled_layers:16/hbao/thin_layers/r32f",
+          "directions:5x4/dual_peeled_layers:4/hbao/thin_layers/r32f",
+          "directions:5x4/static_and_dynamic_layers/hbao/thin_layers/r32f",
+          "tap_grid:6/linked_lists:16x64/hbao_plus/thin_layers/multi_resolution/r32f"}) {
+        CAPTURE(recipe);
         const auto alone = run(recipe, some, all_of(150)), beside = run(recipe, both, colors);
         CHECK(beside->runner().download("visibility") == alone->runner().download("visibility"));
         CHECK(beside->runner().download("visibility") !=
@@ -427,25 +480,28 @@ TEST_CASE(
 }
 
 TEST_CASE("the interior of a hull sees what stands behind it") {
-    constexpr double apart = 0.5, alpha = 128 / 255.0;
-    oracle::triangles drawn = oracle::wall(3);
-    const oracle::triangles behind = oracle::wall(static_cast<float>(3 + apart));
-    drawn.insert(drawn.end(), behind.begin(), behind.end());
-    std::array<std::uint32_t, 16> colors = all_of(255);
-    colors[0] = colors[1] = 0x80808080u;
-    for (const std::string parts :
-         {"slices:8x8/linked_lists:4x8/gtao", "half_directions:8x8/linked_lists:4x8/cosine_bitmask:0x0",
-          "half_directions:8x8/linked_lists:4x8/cosine_bitmask"}) {
-        CAPTURE(parts);
-        const auto solid = run(parts + "/every_layer/r32f", drawn, colors),
-                   thin = run(parts + "/thin_layers/r32f", drawn, colors);
-        const std::size_t middle = height / 2 * width + width / 2;
-        const double both = double{thin->runner().download("visibility")[middle]},
-                     one = double{solid->runner().download("visibility")[middle]};
-        const double interior = 1 - (one - both) / (alpha * (1 - alpha));
-        // The wall behind is within the radius in all directions up to the angle of this cosine.
-        const double beyond = apart / radius;
-        CHECK(std::abs(interior - beyond * beyond) < 0.15);
+    // What is behind is within the radius in all directions up to the angle whose cosine is `apart`.
+    const auto hard = [](double apart, const settings&) { return apart * apart; };
+    const auto linear = [](double apart, const settings&) { return 1 - (1 - apart) * (1 - apart); };
+    // A horizon from the normal on, as near as what is straight behind.
+    const auto horizon = [](double apart, const settings& s) {
+        const double rise = std::min((1 - apart) / s.falloff, 1.0);
+        return 1 - rise * rise;
+    };
+    struct closed_form {
+        std::string parts;
+        double (*open)(double apart, const settings& s);
+    };
+    for (const closed_form& each : {closed_form{"half_directions:1x24/linked_lists:2x4/cosine_bitmask", hard},
+                                    {"half_directions:1x24/linked_lists:2x4/cosine_bitmask:1x0", linear},
+                                    {"slices:1x24/linked_lists:2x4/gtao", horizon}}) {
+        CAPTURE(each.parts);
+        half_transparent_wall wall(each.parts);
+        for (const double apart : {0.25, 0.5, 0.75}) {
+            CAPTURE(apart);
+            const double found = wall.open_inside(oracle::wall(static_cast<float>(3 + apart)));
+            CHECK(std::abs(found - each.open(apart, wall.set())) < 0.04);
+        }
     }
 }
 
@@ -467,22 +523,14 @@ TEST_CASE("between the faces of a transparent hull all is open") {
 }
 
 TEST_CASE("an opaque solid behind a hull begins where its front does") {
-    constexpr float apart = 1.5f, alpha = 128 / 255.0f;
-    oracle::triangles drawn = oracle::wall(3), back = oracle::turned(oracle::wall(4 + apart));
-    for (const oracle::triangles& each : {oracle::wall(3 + apart), back})
-        drawn.insert(drawn.end(), each.begin(), each.end());
-    std::array<std::uint32_t, 16> colors = all_of(255);
-    colors[0] = colors[1] = 0x80808080u;
-    const std::string parts = "half_directions:8x8/linked_lists:4x8/cosine_bitmask:0x0";
-    const auto of_one = run(parts + "/every_layer/r32f", drawn, colors),
-               of_both = run(parts + "/thin_layers/r32f", drawn, colors);
-    const std::size_t middle = height / 2 * width + width / 2;
-    const double one = double{of_one->runner().download("visibility")[middle]},
-                 both = double{of_both->runner().download("visibility")[middle]};
-    const double beyond = apart / radius;
-    CAPTURE(one);
-    CAPTURE(both);
-    CHECK(std::abs(1 - (one - both) / (alpha * (1 - alpha)) - beyond * beyond) < 0.15);
+    half_transparent_wall wall("half_directions:1x24/linked_lists:3x4/cosine_bitmask:0x0");
+    for (const double apart : {0.25, 0.5, 0.75}) {
+        CAPTURE(apart);
+        oracle::triangles solid = oracle::wall(static_cast<float>(3 + apart));
+        const oracle::triangles back = oracle::turned(oracle::wall(static_cast<float>(4 + apart)));
+        solid.insert(solid.end(), back.begin(), back.end());
+        CHECK(std::abs(wall.open_inside(solid) - apart * apart) < 0.04);
+    }
 }
 
 TEST_CASE("a hull that stands alone is open on both sides") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Filters by tangent planes over pictures whose visibility is known: each surface has its own.
+// Filters over pictures whose visibility is known: each surface has its own.
 #include "run.hpp"
 
 #include <doctest/doctest.h>
@@ -144,7 +144,7 @@ TEST_CASE("background stays open beside what is closed, and surfaces of a pixel 
         }
     for (const char* filters : {"/plane_filter:2", "/separable_plane_filter:3", "/upsample:2", "/upsample:4",
                                 "/plane_filter/upsample:2", "/upsample:4/plane_filter"})
-        for (double radius : {1e-6, 1.0, 1e6}) {
+        for (double radius : {1e-6, 1.0, 1e6, 1e20}) {
             CAPTURE(std::string(filters));
             CAPTURE(radius);
             const std::vector<float> image = filtered(p, by_depth, filters, radius);
@@ -158,4 +158,29 @@ TEST_CASE("background stays open beside what is closed, and surfaces of a pixel 
                         REQUIRE(v == 0);
                 }
         }
+}
+
+TEST_CASE("the bilateral filter takes no texel beyond the picture's edge") {
+    const oracle::picture p = oracle::draw({{kind::plane, {0, 0, -3}, {0, 0, 1}}}, lens::standard, 24, 17);
+    for (int radius : {1, 2, 3}) {
+        CAPTURE(radius);
+        // What the Gaussian leaves of a chequerboard along a row or a column.
+        const auto contrast = [radius](int at, int size) {
+            double sum = 0, weights = 0;
+            for (int i = std::max(-radius, -at); i <= std::min(radius, size - 1 - at); ++i) {
+                const double weight = std::exp2(-2.0 * i * i / (radius * radius));
+                sum += i % 2 == 0 ? weight : -weight;
+                weights += weight;
+            }
+            return sum / weights;
+        };
+        const std::vector<float> found = filtered(p, chequered, "/bilateral:" + std::to_string(radius), 1);
+        for (int y = 0; y < p.height; ++y)
+            for (int x = 0; x < p.width; ++x) {
+                const double own = (x + y) % 2 == 0 ? -0.5 : 0.5;
+                REQUIRE(std::abs(found[p.index(x, y)] -
+                                 (0.5 + own * contrast(x, p.width) * contrast(y, p.height))) <
+                        0.006); // 8 bits twice
+            }
+    }
 }

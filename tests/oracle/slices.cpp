@@ -157,44 +157,68 @@ double gtao(const receiver& r, const settings& s, const half_slices& where, cons
     });
 }
 
+namespace {
+
+/// What a layer hides of a half slice, in shares of the angle from the way to the eye down to the tangent
+/// plane.
+struct span {
+    double from, to, opacity;
+};
+
+std::vector<span> spans(const picture& p, const receiver& r, const settings& s, const half_slice& each,
+                        const layers_at& layers) {
+    std::vector<span> all;
+    for (const march_tap& t : each.taps)
+        for (const seen_layer& layer : layers(t.x, t.y)) {
+            if (!t.counts)
+                continue;
+            const glm::dvec3 way = layer.position - r.position, eye = p.to_eye(layer.position);
+            const glm::dvec3 back = glm::dot(eye, r.to_eye) > 0 ? -eye : eye;
+            // What of the slab is within the radius, by the quadratic equation.
+            const double half = glm::dot(way, back),
+                         root = half * half - glm::dot(way, way) + s.radius * s.radius;
+            if (!(root > 0))
+                continue;
+            const double from = std::max(-half - std::sqrt(root), 0.0),
+                         to = std::min(-half + std::sqrt(root), s.thickness * s.radius);
+            if (!(from < to))
+                continue;
+            const auto share = [&](double along) {
+                const direction_of seen(r, way + along * back);
+                return std::min(seen.angle / seen.tangent, 1.0);
+            };
+            all.push_back({share(from), share(to), layer.opacity});
+        }
+    return all;
+}
+
+}
+
 double visibility_bitmask(const picture& p, const receiver& r, const settings& s, const half_slices& where) {
-    return visibility_bitmask(p, r, s, where, layers_of(p));
+    return weighted_mean(r, where, [&](const half_slice& each, double, double, double) {
+        bool hidden[32] = {};
+        const auto sector = [](double share) { return static_cast<int>(std::floor(32 * share + 0.5)); };
+        for (const span& layer : spans(p, r, s, each, layers_of(p)))
+            for (int i = sector(layer.from); i < sector(layer.to); ++i)
+                hidden[i] = true;
+        return static_cast<double>(std::count(std::begin(hidden), std::end(hidden), true)) / 32;
+    });
 }
 
 double visibility_bitmask(const picture& p, const receiver& r, const settings& s, const half_slices& where,
                           const layers_at& layers) {
-    // Of a layer some sectors count: those of the least index with its bits reversed.
-    const auto counts = [](int i, double opacity) {
-        int reversed = 0;
-        for (int bit = 0; bit < 5; ++bit)
-            reversed = 2 * reversed + (i >> bit) % 2;
-        return reversed < std::floor(32 * opacity + 0.5);
-    };
     return weighted_mean(r, where, [&](const half_slice& each, double, double, double) {
-        bool hidden[32] = {};
-        for (const march_tap& t : each.taps)
-            for (const seen_layer& layer : layers(t.x, t.y)) {
-                if (!t.counts)
-                    continue;
-                const glm::dvec3 way = layer.position - r.position, eye = p.to_eye(layer.position);
-                const glm::dvec3 back = glm::dot(eye, r.to_eye) > 0 ? -eye : eye;
-                // What of the slab is within the radius, by the quadratic equation.
-                const double half = glm::dot(way, back),
-                             root = half * half - glm::dot(way, way) + s.radius * s.radius;
-                if (!(root > 0))
-                    continue;
-                const double from = std::max(-half - std::sqrt(root), 0.0),
-                             to = std::min(-half + std::sqrt(root), s.thickness * s.radius);
-                if (!(from < to))
-                    continue;
-                const auto sector = [&](double along) {
-                    const direction_of seen(r, way + along * back);
-                    return std::floor(32 * std::min(seen.angle / seen.tangent, 1.0) + 0.5);
-                };
-                for (int i = static_cast<int>(sector(from)); i < static_cast<int>(sector(to)); ++i)
-                    hidden[i] = hidden[i] || counts(i, layer.opacity);
-            }
-        return static_cast<double>(std::count(std::begin(hidden), std::end(hidden), true)) / 32;
+        constexpr int rays = 512;
+        const std::vector<span> all = spans(p, r, s, each, layers);
+        double hidden = 0;
+        for (int i = 0; i < rays; ++i) {
+            double most = 0;
+            for (const span& layer : all)
+                if (layer.from * rays <= i + 0.5 && i + 0.5 < layer.to * rays)
+                    most = std::max(most, layer.opacity);
+            hidden += most / rays;
+        }
+        return hidden;
     });
 }
 

@@ -38,6 +38,8 @@ half_slices axis_slices(const picture& p, const receiver& r, const settings& s, 
 double gtao(const picture& p, const receiver& r, const settings& s, const half_slices& where);
 double gtao(const receiver& r, const settings& s, const half_slices& where, const layers_at& layers);
 double visibility_bitmask(const picture& p, const receiver& r, const settings& s, const half_slices& where);
+/// Of layers with opacities, ray by ray and without sectors: each loses what the most opaque layer in its way
+/// hides.
 double visibility_bitmask(const picture& p, const receiver& r, const settings& s, const half_slices& where,
                           const layers_at& layers);
 double cosine_bitmask(const picture& p, const receiver& r, const settings& s, const half_slices& where,

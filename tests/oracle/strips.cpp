@@ -171,10 +171,12 @@ TEST_CASE("strips in shared memory change no bit of a picture of many layers") {
         return whole.runner().download("visibility");
     };
     // The nearest four are in the strips, those behind them in the image.
-    for (const char* source :
-         {"layer_array:1", "layer_array:2", "layer_array:6", "linked_lists:6x16", "linear_lists:9x16"}) {
-        CAPTURE(std::string(source));
-        const std::string effect = "axes:6x12/" + std::string(source) + "/hbao";
+    for (const std::string layers :
+         {"layer_array:1/hbao", "layer_array:2/hbao", "layer_array:1/cosine_bitmask",
+          "layer_array:2/cosine_bitmask", "layer_array:6/hbao", "linked_lists:6x16/hbao",
+          "linear_lists:9x16/hbao"}) {
+        CAPTURE(layers);
+        const std::string effect = "axes:6x12/" + layers;
         const std::vector<float> expected = layered(effect);
         CHECK(*std::ranges::min_element(expected) < 0.7f);
         CHECK(others(layered(effect + "/compute_strips:4x8x12"), expected) == 0);

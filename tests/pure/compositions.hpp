@@ -68,7 +68,7 @@ inline std::vector<std::string> first_of_each(const std::vector<std::string>& te
 /// parts of each other role one by one, as roles call each other in pairs. A choice of them, in which each
 /// part stands, meets every further view and output with every filter, and with them the parts of each other
 /// role one by one; every projection and encoding of depth with all normals and with every stage and dialect;
-/// and all chains of filters, storages, coverages, compressions and scans.
+/// and all chains of filters, storages, coverages, compressions, resolutions and scans.
 inline std::vector<std::string> every_recipe() {
     using enum crease::role;
     const auto legal = [](std::vector<std::string> texts) {
@@ -97,6 +97,10 @@ inline std::vector<std::string> every_recipe() {
     const std::vector<std::string> compressed =
         times(legal(times(legal(times(firsts, names_of(layer_compression))), names_of(receivers))),
               names_of(output));
+    const std::vector<std::string> resolved =
+        times(legal(times(legal(times(legal(times(firsts, names_of(resolutions))), optional(layer_compression))),
+                          names_of(receivers))),
+              names_of(output));
     const std::vector<std::string> scans = times(legal(times(firsts, names_of(scan))), names_of(stage));
     const std::vector<std::string> reads =
         times(legal(times(times(firsts, names_of(image_reads)), names_of(depth_encoding))), optional(filter));
@@ -104,11 +108,12 @@ inline std::vector<std::string> every_recipe() {
          {more, views, times(times(views_of_firsts, names_of(stage)), names_of(dialect)),
           times(outputs_of_firsts, filter_chains()),
           one_by_one(traversed, {projection, depth_encoding, normals, noise, receivers, layer_compression,
-                                 output_format, image_reads, filter, stage, dialect}),
+                                 resolutions, output_format, image_reads, filter, stage, dialect}),
           one_by_one(legal(times(outputs_of_firsts, optional(filter))),
-                     {projection, depth_encoding, normals, noise, receivers, layer_compression, output_format,
-                      image_reads, stage, dialect}),
+                     {projection, depth_encoding, normals, noise, receivers, layer_compression, resolutions,
+                      output_format, image_reads, stage, dialect}),
           times(captures, names_of(dialect)), times(compressed, names_of(dialect)),
+          times(resolved, names_of(dialect)),
           times(scans, names_of(dialect)), times(reads, names_of(dialect))})
         all.insert(all.end(), each.begin(), each.end());
     return legal(std::move(all));

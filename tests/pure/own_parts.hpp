@@ -256,6 +256,26 @@ void crease_pack_fragments(ivec2 texel, crease_fragments sorted) {
     static constexpr int numbers[] = {4};
 };
 
+OWN_THINGS(own_resolutions)
+struct own_resolutions {
+    static constexpr glsl_file glsl{"own/resolutions.glsl", OWN_VALUE(own_resolutions) R"(
+crease_result crease_result_of(crease_receiver receiver) {
+    receiver.disk_x *= crease_own_resolutions_value();
+    receiver.disk_y *= crease_own_resolutions_value();
+    return crease_conclude(crease_gather(receiver), receiver);
+}
+)"};
+    static constexpr const glsl_file* files[] = {&glsl};
+    static constexpr part description{.kind = role::resolutions,
+                                      .name = "own_resolutions",
+                                      .summary = "a share of the radius",
+                                      .source = "",
+                                      .files = files,
+                                      .settings = own_resolutions_owns::tint,
+                                      .resources = own_resolutions_owns::images,
+                                      .steps = own_resolutions_owns::steps};
+};
+
 OWN_THINGS(own_source)
 struct own_source {
     static constexpr glsl_file glsl{"own/source.glsl", OWN_VALUE(own_source) R"(
@@ -574,6 +594,8 @@ inline constexpr std::tuple examples{
         "sample_box/summed_area/mean_height/own_scan"},
     example<own_compression, effect<directions<>, linked_lists<>, hbao_plus, own_compression>>{
         "directions/linked_lists/hbao_plus/own_compression"},
+    example<own_resolutions, effect<directions<>, single_layer, hbao_plus, own_resolutions>>{
+        "directions/single_layer/hbao_plus/own_resolutions"},
     example<own_source, effect<directions<>, own_source, hbao_plus>>{"directions/own_source/hbao_plus"},
     example<own_sampler, effect<own_sampler, single_layer, hbao_plus>>{
         "own_sampler:6/single_layer/hbao_plus"},

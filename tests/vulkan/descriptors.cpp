@@ -20,7 +20,7 @@ constexpr VkPipelineStageFlags compute = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
 TEST_CASE("what is bound how has its kind of descriptor") {
     CHECK(descriptor_of(access::uniform, resource_kind::block) == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
     CHECK(descriptor_of(access::sample, resource_kind::image) == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
-    for (access how : {access::load, access::store, access::modify}) {
+    for (crease::access how : {access::load, access::store, access::modify}) {
         CHECK(descriptor_of(how, resource_kind::image) == VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
         CHECK(descriptor_of(how, resource_kind::buffer) == VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
     }

@@ -83,9 +83,11 @@ function emitted(recipe) {
 for (const recipe of [
     'directions:4x4/single_layer/hbao/bilateral',
     'directions:4x4/depth_pyramid/gtao/upsample/blue_noise',
-    'tap_grid/multi_resolution/hbao_plus',
+    'tap_grid/single_layer/hbao_plus/multi_resolution',
     'hemisphere_points/single_layer/ssao/reconstructed_normals/tiled_noise/fragment',
     'slices/single_layer/gtao/compute_columns/r32f',
+    'sample_box/summed_area_adaptive:4x2/mean_height',
+    'box_area/n_buffer/unsharp_mask',
 ])
     test(`WebGPU gives the picture of the command, by GLSL as by SPIR-V: ${recipe}`, async () => {
         const picture = await picture_of(composed(recipe));

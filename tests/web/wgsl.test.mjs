@@ -98,5 +98,5 @@ test('where naga is missing, and where WebGPU cannot, a sentence says so and not
         ({stderr}) => sentence.test(String(stderr).trim()));
     refused('preset:medium', folder, /^crease_emit: WGSL needs node, and naga-wasm .*npm install naga-wasm/);
     refused('preset:ultra_layers', join(MODULES, '..'), /WebGPU have no way to capture layers/);
-    refused('box_area/n_buffer/unsharp_mask', join(MODULES, '..'), /WebGPU change no image of several numbers in place/);
+    refused('box_area/summed_area/unsharp_mask/subgroup_scan', join(MODULES, '..'), /WebGPU promise no operations of subgroups/);
 });

@@ -16,7 +16,7 @@ export const families = [
     {part: 'summed_area', title: 'Areas', recipe: 'sample_box/summed_area/mean_height'},
     {part: 'summed_area_adaptive', title: 'Areas, adaptive layers', recipe: 'sample_box/summed_area_adaptive:4x2/mean_height'},
     {part: 'depth_pyramid', title: 'Depth pyramid', recipe: 'directions:8x4/depth_pyramid/hbao/bilateral'},
-    {part: 'multi_resolution', title: 'Multi-resolution', recipe: 'tap_grid/multi_resolution/hbao_plus'},
+    {part: 'multi_resolution', title: 'Multi-resolution', recipe: 'tap_grid/single_layer/hbao_plus/multi_resolution'},
     {part: 'stochastic_layers', title: 'Stochastic layers', recipe: 'directions:8x4/stochastic_layers:8/hbao/bilateral'},
     {part: 'layer_array', title: 'Exact layers', recipe: 'directions:8x4/layer_array/hbao/bilateral'},
     {part: 'stochastic_layers', title: 'Preset ultra layers', recipe: 'preset:ultra_layers'},

@@ -112,7 +112,7 @@ constexpr bool assert_whole() {
            assert_es_versions<said != es_versions, Parts...>() &&
            assert_es_fragments<said != es_fragments, Parts...>() &&
            assert_es_loads<said != es_loads, Parts...>() && assert_es_layers<said != es_layers, Parts...>() &&
-           assert_es_in_place<said != es_in_place, Parts...>();
+           assert_es_subgroups<said != es_subgroups, Parts...>();
 }
 
 /// Asserts every rule on the parts of an effect, each with the types that it is about.

@@ -34,17 +34,8 @@ public:
     /// Takes in a definition, or a name that no file defines, with all that it refers to.
     constexpr void use(symbol name) {
         const std::size_t at = place_of(name);
-        if (is_used_[at])
-            return;
-        is_used_[at] = true;
-        const symbol_table* from = from_[at];
-        if (!from)
-            return;
-        const definition& own = from->definitions.items[index_[at]];
-        const symbol* references = from->references.items + own.first_reference;
-        for (std::size_t i = 0; i < own.references; ++i)
-            use(references[i]);
-        order_.add({from, index_[at]});
+        if (!is_used_[at])
+            take_in(at);
     }
 
     /// Takes in what the definition that was taken in last comes to call.
@@ -69,6 +60,25 @@ public:
 
 private:
     static constexpr std::size_t capacity = 1024;
+
+    constexpr void take_in(std::size_t at) {
+        is_used_[at] = true;
+        const symbol_table* from = from_[at];
+        if (!from)
+            return;
+        const definition& own = from->definitions.items[index_[at]];
+        const symbol* references = from->references.items + own.first_reference;
+        for (std::size_t i = 0; i < own.references; ++i) {
+            const symbol name = references[i];
+            // Most names stand where they are looked for first, and a compiler takes its time for each call.
+            std::size_t next = name % capacity;
+            if (names_[next] != name)
+                next = place_of(name);
+            if (!is_used_[next])
+                take_in(next);
+        }
+        order_.add({from, index_[at]});
+    }
 
     constexpr std::size_t place_of(symbol name) {
         std::size_t i = name % capacity;

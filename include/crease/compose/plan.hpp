@@ -23,6 +23,7 @@ struct planned_pass {
     bool last = false; ///< whether the outputs are the effect's
     extent size{};     ///< of the outputs
     unsigned input_divisor = 1;
+    unsigned level = 0;    ///< mip level of the outputs that it writes
     unsigned view = 0;     ///< index of the camera that it works for
     unsigned in_chain = 0; ///< place among the main pass, 0, and those of filters
 };
@@ -83,8 +84,24 @@ inline constexpr std::string_view between[] = {"between_0",  "between_1",  "betw
                                                "between_8",  "between_9",  "between_10", "between_11",
                                                "between_12", "between_13", "between_14", "between_15"};
 
-/// Whether the part stands before: a filter that stands twice owns what it describes once.
+/// Adds the parts in the order of their roles, and those of one role as they come.
+constexpr void add_parts(plan& p, const choice_list& all) {
+    // Counted and put in place, as a compiler takes its time for each comparison.
+    std::size_t places[role_count + 1]{};
+    for (const choice& c : all)
+        ++places[static_cast<std::size_t>(c.what->kind) + 1];
+    for (std::size_t r = 0; r < role_count; ++r)
+        places[r + 1] += places[r];
+    for (const choice& c : all)
+        p.parts.items[places[static_cast<std::size_t>(c.what->kind)]++] = c;
+    p.parts.count = all.count;
+}
+
+/// Whether the part stands before: a filter that stands twice owns what it describes once, and parts of other
+/// roles stand once.
 constexpr bool stands_before(const plan& p, const choice& c) {
+    if (c.what->kind != role::filter)
+        return false;
     for (const choice& each : p.parts)
         if (&each == &c || each.what == c.what)
             return &each != &c;
@@ -168,7 +185,8 @@ constexpr void add_steps(plan& p, const choice& owner, bool after, unsigned view
                 pass.size = p.resources[pass.outputs[0]].size;
             if (pass.view > 0)
                 pass.size = {.divisor = view_divisor};
-            pass.size.level = s.level + (s.further_levels ? i % runs : 0);
+            pass.level = s.level + (s.further_levels ? i % runs : 0);
+            pass.size.level += pass.level;
             if (pass.outputs.cut)
                 p.refused = {rules::few_passes, owner.what->name};
             p.passes.add(pass);
@@ -245,11 +263,7 @@ constexpr void connect_chain(plan& p, std::size_t first) {
 constexpr plan make_plan(array_view<const choice> choices) {
     plan p;
     p.recipe = recipe_text(choices);
-    const choice_list all = complete(choices);
-    for (std::size_t r = 0; r < role_count; ++r)
-        for (const choice& c : all)
-            if (static_cast<std::size_t>(c.what->kind) == r)
-                p.parts.add(c);
+    planning::add_parts(p, complete(choices));
     unsigned view_divisor = 1;
     for (const choice& c : p.parts) {
         const view_request& further = c.what->further_views;

@@ -199,15 +199,15 @@ private:
         if (pass_.input >= 0) {
             const auto input = static_cast<std::size_t>(pass_.input);
             bind("input", input, read_access(plan_.resources[input]));
-        } else if (pass_.what->further_levels && pass_.size.level > 0) {
-            bind_level("input", pass_.outputs[0], access::sample, pass_.size.level - 1);
+        } else if (pass_.what->further_levels && pass_.level > 0) {
+            bind_level("input", pass_.outputs[0], access::sample, pass_.level - 1);
         }
         for (std::size_t i = 0; i < pass_.outputs.size(); ++i) {
             const unsigned at = pass_.outputs[i];
             if (!is_result_) {
                 const std::string_view name = pass_.what->writes[i];
                 if (pass_.what->how == access::attachment || uses(name) || uses("load_", name))
-                    bind_level(name, at, pass_.what->how, pass_.size.level);
+                    bind_level(name, at, pass_.what->how, pass_.level);
             } else {
                 bind(i == 0 ? std::string_view("output") : plan_.resources[at].name, at,
                      pass_.stage == stage_kind::compute    ? access::store
@@ -290,6 +290,8 @@ private:
         // A host that takes functions writes its own #version, #extension and precision.
         if (uses("unroll"))
             text << "#define crease_unroll" << (has_main_ && is_vulkan_ ? " [[unroll]]\n" : "\n");
+        if (uses("precise")) // a word that GLSL ES 3.10 and naga lack
+            text << "#define crease_precise" << (is_es_ || is_webgpu_ ? "\n" : " precise\n");
         if (pass_.stage != stage_kind::compute)
             return;
         text << "layout(local_size_x = " << out_.constants[0].value
@@ -449,7 +451,7 @@ private:
                                       : ", 0).xy; }\n");
             if (uses("levels_of_", b.name) && is_es_) // which does not tell
                 text << "\nint crease_levels_of_" << b.name << "() {\n    ivec2 size = textureSize(crease_"
-                     << b.name << ", 0);\n    return min(" << r.levels
+                     << b.name << ", 0).xy;\n    return min(" << r.levels
                      << ", 1 + findMSB(max(size.x, size.y)));\n}\n";
             else if (uses("levels_of_", b.name))
                 text << "\nint crease_levels_of_" << b.name << "() { return textureQueryLevels(crease_"

@@ -22,7 +22,7 @@ namespace crease {
     rule(es_fragments, "GLSL ES 3.00 has fragment shaders alone, and a part needs others")                             \
     rule(es_loads, "GLSL ES 3.00 has no storage images, which a part loads")                                           \
     rule(es_layers, "GLSL ES and WebGPU have no way to capture layers, which a part needs")                            \
-    rule(es_in_place, "GLSL ES and WebGPU change no image of several numbers in place, as a part does")                \
+    rule(es_subgroups, "GLSL ES and WebGPU promise no operations of subgroups, which a part needs")                    \
     rule(strips_of_depths, "the stage keeps depths in shared memory, and a part needs layers with their opacity")      \
     rule(small_strips, "what the stage keeps takes more than the 16384 bytes of shared memory that every device has")  \
     rule(few_enough, "an effect has 16 parts at the most")                                                             \

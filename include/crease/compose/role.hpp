@@ -18,6 +18,7 @@ enum class role : unsigned char {
     scan,              ///< how the sums of a line of a table are made, of those of its pieces
     layer_compression, ///< which of the layers of a depth source taps find
     depth_source,      ///< what may be there: the layers that a tap finds
+    resolutions,       ///< in which resolutions of the picture the layers of taps are found, where in several
     sampler,           ///< where to look: proposes taps around the receiver
     estimator,         ///< what it means: how much a layer occludes the receiver
     layer_traversal,   ///< which layers of a tap are fetched, and when
@@ -35,13 +36,27 @@ inline constexpr std::size_t role_count = static_cast<std::size_t>(role::dialect
 
 /// The role in words, as in "layer traversal".
 constexpr std::string_view name_of(role r) {
-    constexpr std::string_view names[] = {"projection",      "depth encoding", "normals",
-                                          "noise",           "further views",  "coverage",
-                                          "layer storage",   "scan",           "layer compression",
-                                          "depth source",    "sampler",        "estimator",
-                                          "layer traversal", "receivers",      "output",
-                                          "output format",   "filter",         "image reads",
-                                          "stage",           "dialect"};
+    constexpr std::string_view names[] = {"projection",
+                                          "depth encoding",
+                                          "normals",
+                                          "noise",
+                                          "further views",
+                                          "coverage",
+                                          "layer storage",
+                                          "scan",
+                                          "layer compression",
+                                          "depth source",
+                                          "resolutions",
+                                          "sampler",
+                                          "estimator",
+                                          "layer traversal",
+                                          "receivers",
+                                          "output",
+                                          "output format",
+                                          "filter",
+                                          "image reads",
+                                          "stage",
+                                          "dialect"};
     return names[static_cast<unsigned>(r)];
 }
 

@@ -142,6 +142,8 @@ constexpr refusal check_dialect(const choice_list& all, const choice& dialect) {
             return {es_fragments, c.what->name, dialect.what->name};
         if (asked == 300 && has(c.what->offers, &image_loads::value))
             return {es_loads, c.what->name, dialect.what->name};
+        if (c.what->features.subgroup_arithmetic)
+            return {es_subgroups, c.what->name, dialect.what->name};
         for (const step& s : c.what->steps) {
             if (s.kind == step_kind::result || c.numbers[0] < s.from)
                 continue;
@@ -149,8 +151,6 @@ constexpr refusal check_dialect(const choice_list& all, const choice& dialect) {
                 return {es_layers, c.what->name, dialect.what->name};
             if (asked == 300)
                 return {es_fragments, c.what->name, dialect.what->name};
-            if (s.how == access::modify)
-                return {es_in_place, c.what->name, dialect.what->name};
         }
     }
     return {};

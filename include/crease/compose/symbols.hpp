@@ -41,8 +41,25 @@ struct symbol_table {
 
 namespace reading {
 
+/// What a character is to `read_symbols`: signs are those that definitions are known by.
+enum character_kind : unsigned char { plain, word, line_end, sign };
+
+/// The kinds of all characters. A table, as a compiler evaluates one look-up in less time than comparisons.
+struct character_kinds {
+    character_kind of[256]{};
+
+    constexpr character_kinds() {
+        for (char c : std::string_view("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_"))
+            of[static_cast<unsigned char>(c)] = word;
+        for (char c : std::string_view("(){}[=;/"))
+            of[static_cast<unsigned char>(c)] = sign;
+        of[static_cast<unsigned char>('\n')] = line_end;
+    }
+};
+inline constexpr character_kinds kinds;
+
 constexpr bool is_word(char c) {
-    return (c >= 'a' && c <= 'z') || c == '_' || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    return kinds.of[static_cast<unsigned char>(c)] == word;
 }
 
 constexpr bool begins_with_prefix(const char* text, std::size_t left) {
@@ -50,12 +67,8 @@ constexpr bool begins_with_prefix(const char* text, std::size_t left) {
            text[4] == 's' && text[5] == 'e' && text[6] == '_';
 }
 
-}
-
-namespace reading {
-
 /// Where the rest of a line ends that is empty or a comment, its end included; else `at`.
-constexpr std::size_t line_end(const char* text, std::size_t at, std::size_t size) {
+constexpr std::size_t end_of_line(const char* text, std::size_t at, std::size_t size) {
     std::size_t i = at;
     while (i < size && text[i] == ' ')
         ++i;
@@ -74,6 +87,7 @@ constexpr symbol_table read_symbols(const glsl_file& file) {
     // Plain indices and one loop: a compiler evaluates this for each character.
     const char* text = file.text.data();
     const std::size_t size = file.text.size();
+    const reading::character_kind* const kinds = reading::kinds.of;
     definition own;
     symbol last = 0; // identifier just before
     bool is_named = false, is_function = false;
@@ -81,30 +95,31 @@ constexpr symbol_table read_symbols(const glsl_file& file) {
     std::uint16_t line = 0;
     for (std::size_t i = 0; i < size;) {
         const char c = text[i];
-        if (c == ' ') {
+        const reading::character_kind kind = kinds[static_cast<unsigned char>(c)];
+        if (kind == reading::plain) {
             ++i;
-        } else if (c == '\n') {
-            ++i;
-            ++line;
-        } else if (reading::is_word(c)) {
+        } else if (kind == reading::word) {
             last = 0;
-            if (reading::begins_with_prefix(text + i, size - i)) {
-                last = empty_symbol;
-                for (; i < size && reading::is_word(text[i]); ++i)
+            if (c == 'c' && reading::begins_with_prefix(text + i, size - i)) {
+                last = crease_prefix;
+                for (i += 7; i < size && kinds[static_cast<unsigned char>(text[i])] == reading::word; ++i)
                     last = (last ^ static_cast<unsigned char>(text[i])) * 16777619u;
-                bool is_known = false;
-                for (std::size_t k = own.first_reference; k < table.references.count; ++k)
-                    is_known = is_known || table.references.items[k] == last;
-                if (!is_known)
+                std::size_t known = own.first_reference;
+                while (known < table.references.count && table.references.items[known] != last)
+                    ++known;
+                if (known == table.references.count)
                     table.references.add(last);
             } else {
-                const std::size_t first = i;
-                while (i < size && reading::is_word(text[i]))
+                const std::size_t first = i++;
+                while (i < size && kinds[static_cast<unsigned char>(text[i])] == reading::word)
                     ++i;
-                if (i - first == 4 && text[first] == 'm' && text[first + 1] == 'a' &&
-                    text[first + 2] == 'i' && text[first + 3] == 'n')
+                if (c == 'm' && i - first == 4 && text[first + 1] == 'a' && text[first + 2] == 'i' &&
+                    text[first + 3] == 'n')
                     last = main_symbol;
             }
+        } else if (kind == reading::line_end) {
+            ++i;
+            ++line;
         } else if (c == '/' && i + 1 < size && text[i + 1] == '/') {
             while (i < size && text[i] != '\n')
                 ++i;
@@ -123,7 +138,7 @@ constexpr symbol_table read_symbols(const glsl_file& file) {
             ++i;
             if (depth != 0 || !is_named || !(c == ';' || (c == '}' && is_function)))
                 continue;
-            const std::size_t next = reading::line_end(text, i, size);
+            const std::size_t next = reading::end_of_line(text, i, size);
             const bool ends_line = next > i && text[next - 1] == '\n';
             own.end = static_cast<std::uint16_t>(next);
             own.references = static_cast<std::uint16_t>(table.references.count - own.first_reference);

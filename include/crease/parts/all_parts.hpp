@@ -18,7 +18,6 @@
 #include <crease/parts/depth/linear_lists.hpp>
 #include <crease/parts/depth/linked_lists.hpp>
 #include <crease/parts/depth/mip_chain.hpp>
-#include <crease/parts/depth/multi_resolution.hpp>
 #include <crease/parts/depth/n_buffer.hpp>
 #include <crease/parts/depth/peeled_layers.hpp>
 #include <crease/parts/depth/separated_layers.hpp>
@@ -64,6 +63,7 @@
 #include <crease/parts/receivers/every_layer.hpp>
 #include <crease/parts/receivers/first_surface.hpp>
 #include <crease/parts/receivers/thin_layers.hpp>
+#include <crease/parts/resolutions/multi_resolution.hpp>
 #include <crease/parts/sampler/axes.hpp>
 #include <crease/parts/sampler/box_area.hpp>
 #include <crease/parts/sampler/box_window.hpp>
@@ -139,9 +139,9 @@ inline constexpr const part* all_parts[] = {
     &n_buffer_part::description,
     &mip_chain_part::description,
     &depth_pyramid_part::description,
-    &multi_resolution_part::description,
     &compressed_part::description,
     &compressed_occluders_part::description,
+    &multi_resolution_part::description,
     &hbao::description,
     &hbao_plus::description,
     &gtao::description,

@@ -8,12 +8,12 @@ __LINE__, R"glsl("
 
 const int crease_most_layers = crease_compressed_nodes;
 
+const int crease_kept_surfaces = crease_compressed_nodes;
+
 const int crease_first_to_go = crease_compressed_half != 0 ? crease_compressed_nodes / 2 : 0;
 
 // Of a node, whose color is not kept.
 crease_surface crease_surface_at(ivec2 texel, int i) {
-    if (i >= crease_most_layers)
-        return crease_surface(crease_background, vec3(0.0, 0.0, 1.0), vec4(0.0));
     crease_group group = crease_load_group(vec2(texel), i / 4);
     uint first = crease_load_compressed_layers(ivec3(texel, i / 4)).w;
     uint second = crease_load_compressed_normals(ivec3(texel, i / 4 * 2)).x;

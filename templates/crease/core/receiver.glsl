@@ -18,6 +18,9 @@ struct crease_receiver {
     vec2 disk_x, disk_y;     // texels that an AO radius along these axes takes
 };
 
+// Receivers of a texel.
+const int crease_most_receivers = 1;
+
 crease_receiver crease_make_receiver(ivec2 pixel, vec2 texel, vec3 position, vec3 normal) {
     vec3 to_eye = crease_to_eye(position), tangent, bitangent;
     crease_axes(to_eye, tangent, bitangent);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
-vec4 crease_areas_at(ivec3 texel);
-ivec2 crease_areas_size();
+vec4 crease_areas_before(ivec2 texel);
+void crease_areas_store(ivec2 texel, vec4 sum);
 #else
 __LINE__, R"glsl("
 #endif
@@ -10,7 +10,7 @@ __LINE__, R"glsl("
 // statistical-volumetric-obscurance 3.3, figure 3.2.
 void crease_build(ivec2 texel) {
     const int before = crease_areas_level - 1;
-    ivec2 size = (crease_areas_size() + (1 << before) - 1) >> before;
+    ivec2 size = (crease_build_size + (1 << before) - 1) >> before;
     if (any(greaterThanEqual(2 * texel, size)))
         return;
     vec4 sum = vec4(0.0);
@@ -18,9 +18,9 @@ void crease_build(ivec2 texel) {
         crease_unroll for (int i = 0; i < 2; ++i) {
             ivec2 at = 2 * texel + ivec2(i, j);
             if (all(lessThan(at, size)))
-                sum += crease_areas_at(ivec3(at, before));
+                sum += crease_areas_before(at);
         }
-    imageStore(crease_area_tables, ivec3(texel, crease_areas_level), sum);
+    crease_areas_store(texel, sum);
 }
 #ifdef __cplusplus
 ")glsl"

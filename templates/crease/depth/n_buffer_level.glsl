@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
-vec4 crease_areas_at(ivec3 texel);
-ivec2 crease_areas_size();
+vec4 crease_areas_before(ivec2 texel);
+void crease_areas_store(ivec2 texel, vec4 sum);
 #else
 __LINE__, R"glsl("
 #endif
@@ -14,10 +14,10 @@ void crease_build(ivec2 texel) {
     crease_unroll for (int j = 0; j < 2; ++j)
         crease_unroll for (int i = 0; i < 2; ++i) {
             ivec2 at = texel + (ivec2(i, j) << before);
-            if (all(lessThan(at, crease_areas_size())))
-                sum += crease_areas_at(ivec3(at, before));
+            if (all(lessThan(at, crease_build_size)))
+                sum += crease_areas_before(at);
         }
-    imageStore(crease_area_tables, ivec3(texel, crease_areas_level), sum);
+    crease_areas_store(texel, sum);
 }
 #ifdef __cplusplus
 ")glsl"

@@ -8,8 +8,6 @@ __LINE__, R"glsl("
 // A scan that makes the texels of the whole picture's table as it reads them: twice, which costs less than a pass that
 // stores them.
 vec4 crease_scan_read(ivec3 at) { return crease_area_texel(at.xy); }
-
-vec4 crease_scan_reread(ivec3 at) { return crease_area_texel(at.xy); }
 #ifdef __cplusplus
 ")glsl"
 #endif

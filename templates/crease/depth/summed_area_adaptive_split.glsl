@@ -74,7 +74,7 @@ void crease_build(ivec2 texel) {
     }
     crease_unroll for (int i = 0; i < first; ++i)
         if (first + i < crease_summed_area_adaptive_layers)
-            imageStore(crease_area_tables, ivec3(texel, first + i), nearer[i]);
+            imageStore(crease_area_splits, ivec3(texel, i), nearer[i]);
 }
 #ifdef __cplusplus
 ")glsl"

@@ -103,6 +103,8 @@ crease_contribution crease_combine_first_layers(crease_march march, crease_recei
     return all;
 }
 
+const int crease_kept_surfaces = crease_most_surfaces; // for receivers
+
 // A surface whose visibility is asked for.
 struct crease_surface {
     float depth;  // crease_background: there is none, nor any behind it

@@ -13,6 +13,8 @@ crease_result crease_sum(crease_result a, crease_result b);
 __LINE__, R"glsl("
 #endif
 
+const int crease_most_receivers = crease_kept_surfaces;
+
 // Less than half of what eight bits tell is seen behind.
 const float crease_least_seen = 1.0 / 512.0;
 
@@ -22,7 +24,7 @@ crease_result crease_evaluate(ivec2 pixel) {
     vec2 texel = crease_texel_of_pixel(pixel, crease_divisor);
     crease_result merged = crease_weighted(crease_open_result(), 0.0);
     float seen = 1.0; // of what lies behind
-    for (int i = 0; i < crease_most_surfaces && seen > crease_least_seen; ++i) {
+    for (int i = 0; i < crease_most_receivers && seen > crease_least_seen; ++i) {
         crease_surface surface = crease_surface_at(ivec2(texel), i);
         if (!(surface.depth < crease_background))
             break;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
+crease_receiver crease_turned_round(crease_receiver receiver);
 crease_result crease_result_of(crease_receiver receiver);
 crease_result crease_weighted(crease_result result, float weight);
 crease_result crease_sum(crease_result a, crease_result b);
 #else
 __LINE__, R"glsl("
 #endif
+
+const int crease_receiver_sides = 2;
 
 float crease_eye_side(crease_receiver receiver) { return sign(receiver.to_eye.z); }
 
@@ -20,9 +23,8 @@ float crease_layer_before(crease_receiver receiver, crease_layer layer) {
 // other is that side of a receiver which is looked at from behind.
 crease_result crease_result_of_surface(crease_receiver receiver, float opacity) {
     crease_result both = crease_weighted(crease_result_of(receiver), opacity);
-    receiver.normal = -receiver.normal;
-    receiver.to_eye = -receiver.to_eye;
-    return crease_sum(both, crease_weighted(crease_result_of(receiver), 1.0 - opacity));
+    crease_result other = crease_result_of(crease_turned_round(receiver));
+    return crease_sum(both, crease_weighted(other, 1.0 - opacity));
 }
 #ifdef __cplusplus
 ")glsl"

@@ -231,8 +231,11 @@ TEST_CASE("OpenGL's images share their units, whether they are loaded, stored or
                     "layout(rgba16f, binding = 2) uniform writeonly image2D crease_bent_cone;"});
     check_declares("sample_box/summed_area_adaptive/mean_height/image_load/opengl", 4,
                    {"layout(binding = 0) uniform sampler2D crease_depth;",
-                    "layout(rgba32f, binding = 0) uniform readonly image2D crease_range;",
-                    "layout(rgba32f, binding = 1) uniform image2DArray crease_area_tables;"});
+                    "layout(rgba32f, binding = 0) uniform readonly image2DArray crease_area_tables;",
+                    "layout(rgba32f, binding = 1) uniform readonly image2D crease_range;",
+                    "layout(rgba32f, binding = 2) uniform writeonly image2DArray crease_area_splits;"});
+    check_declares("directions/linear_lists/hbao/opengl", 1,
+                   {"layout(r32ui, binding = 0) uniform uimage2DArray crease_list_places;"});
 }
 
 TEST_CASE("what passes write is fetched by later ones, or loaded as an image, by the part of that role") {

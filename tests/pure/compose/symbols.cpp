@@ -225,10 +225,10 @@ TEST_CASE("all identifiers of crease's GLSL have different symbols") {
             for (const char* before : {"crease_", "crease_load_", "crease_size_of_", "crease_encode_"})
                 learn(before + std::string(r.name));
     }
-    for (const char* name :
-         {"crease_given", "crease_radius", "crease_frame", "crease_view_index", "crease_divisor",
-          "crease_input_divisor", "crease_workgroup_columns", "crease_unroll", "crease_write",
-          "crease_build_size", "crease_group_size", "crease_load_input", "crease_size_of_input", "main"})
+    for (const char* name : {"crease_given", "crease_radius", "crease_frame", "crease_view_index",
+                             "crease_divisor", "crease_input_divisor", "crease_workgroup_columns",
+                             "crease_unroll", "crease_precise", "crease_write", "crease_build_size",
+                             "crease_group_size", "crease_load_input", "crease_size_of_input", "main"})
         learn(name);
     CHECK(known.size() > 300);
 }

@@ -13,7 +13,7 @@ TEST_CASE("every role that need not be named has a default, and of those that fi
         CAPTURE(name_of(kind));
         const bool named = kind == role::sampler || kind == role::depth_source || kind == role::estimator ||
                            kind == role::filter || kind == role::further_views ||
-                           kind == role::layer_compression;
+                           kind == role::layer_compression || kind == role::resolutions;
         const bool has_two = kind == role::layer_traversal || kind == role::receivers;
         const auto count =
             std::ranges::count(default_choices, kind, [](const choice& c) { return c.what->kind; });

@@ -62,24 +62,29 @@ inline constexpr glsl_file range_picture_glsl{
 #include <crease/depth/range_picture.glsl>
 };
 
-inline constexpr glsl_file scan_made_glsl{
-    "depth/scan_made.glsl",
-#include <crease/depth/scan_made.glsl>
-};
-
-inline constexpr glsl_file scan_stored_glsl{
-    "depth/scan_stored.glsl",
-#include <crease/depth/scan_stored.glsl>
-};
-
 inline constexpr glsl_file scan_glsl{
     "depth/scan.glsl",
 #include <crease/depth/scan.glsl>
 };
 
+inline constexpr glsl_file scan_columns_glsl{
+    "depth/scan_columns.glsl",
+#include <crease/depth/scan_columns.glsl>
+};
+
+inline constexpr glsl_file scan_made_glsl{
+    "depth/scan_made.glsl",
+#include <crease/depth/scan_made.glsl>
+};
+
+inline constexpr glsl_file scan_rows_glsl{
+    "depth/scan_rows.glsl",
+#include <crease/depth/scan_rows.glsl>
+};
+
 /// What the depth sources of areas share: summed-area tables, and the steps that make them.
 ///
-/// The tables are one array image, filled and then summed in place, rows and then columns; texel (i, j) of a
+/// The tables are one array image, of which another holds the sums of the rows before; texel (i, j) of a
 /// table is the sum over the texels up to and including it: x of what tells the depth, y of their count, zw
 /// of the rest of what the estimator takes means of, in texels that have them. Counts are exact up to 2^24
 /// texels. Places of a table are off by less than 1e-6 of its greatest sum, so small areas of large pictures
@@ -105,26 +110,35 @@ constexpr void shape_tables(resource& own, const shape_of& effect) {
     own.size.divisor = static_cast<unsigned>(effect.own.number_of("divisor"));
     own.texels = effect.offers(&single_area_value::value) ? format::rg32_float : format::rgba32_float;
 }
-inline constexpr resource tables{.name = "area_tables",
-                                 .life = lifetime::transient,
-                                 .size = {.guarded = true},
-                                 .arrayed = true,
-                                 .read = access::load,
-                                 .shape = shape_tables};
+constexpr resource image(std::string_view name, void (*shape)(resource&, const shape_of&) = shape_tables) {
+    return {.name = name,
+            .life = lifetime::transient,
+            .size = {.guarded = true},
+            .arrayed = true,
+            .read = access::load,
+            .shape = shape};
+}
+inline constexpr resource tables = image("area_tables");
+inline constexpr resource images_of_tables[] = {tables, image("area_rows"), range, range_of_columns_image};
 
-/// What all of them fill.
-inline constexpr resource images[] = {tables, range, range_of_columns_image};
+/// Half as many, the odd one among them.
+constexpr void shape_half(resource& own, const shape_of& effect) {
+    shape_tables(own, effect);
+    own.layers = (own.layers + 1) / 2;
+}
 
 /// What depth sources of areas need.
 using needs = traits<area_taps, area_means>;
 
 inline constexpr role scanning[] = {role::scan};
 inline constexpr std::string_view range_name[] = {"range"}, columns_name[] = {"range_of_columns"},
-                                  tables_name[] = {"area_tables"};
+                                  tables_name[] = {"area_tables"}, rows_name[] = {"area_rows"};
 inline constexpr const glsl_file* columns_files[] = {&range_columns_glsl, &range_join_glsl};
 inline constexpr const glsl_file* picture_files[] = {&range_picture_glsl, &range_join_glsl};
-inline constexpr const glsl_file* stored_files[] = {&scan_glsl, &scan_stored_glsl};
-inline constexpr const glsl_file* made_files[] = {&scan_glsl, &scan_made_glsl};
+inline constexpr const glsl_file* made_files[] = {&scan_glsl, &scan_made_glsl, &scan_rows_glsl};
+template <const glsl_file* Read>
+inline constexpr const glsl_file* row_files[] = {&scan_glsl, Read, &scan_rows_glsl};
+inline constexpr const glsl_file* column_files[] = {&scan_glsl, &scan_columns_glsl};
 
 /// What the passes and the main pass of a depth source of areas share, after its own GLSL.
 template <const glsl_file* Own>
@@ -146,29 +160,30 @@ inline constexpr step range_of_picture{.name = "range_of_picture",
                                        .group_height = 1};
 
 /// A depth source of areas; what its description leaves open is the same for all.
-constexpr part source(part own) {
-    own.resources = images;
+constexpr part source(part own, array_view<const resource> resources) {
+    own.resources = resources;
     own.needs = needs::list;
     own.offers = traits<layers_of_areas>::list;
     return own;
 }
 
 /// The same, of summed-area tables.
-constexpr part source_of_tables(part own) {
+constexpr part source_of_tables(part own, array_view<const resource> resources = images_of_tables) {
     own.required_roles = scanning;
-    return source(own);
+    return source(own, resources);
 }
 
-/// The workgroup of a pass that stores to tables: wide and flat, as rows of a table are often as long as what
+/// The workgroup of a pass that stores texels: wide and flat, as rows of a table are often as long as what
 /// a cache takes for one place.
 inline constexpr int wide = 64, flat = 4;
 
-/// Stores the texels of tables; its body defines which.
-constexpr step fill(std::string_view name, array_view<const glsl_file* const> body) {
+/// Stores texels; its body defines which.
+constexpr step fill(std::string_view name, array_view<const glsl_file* const> body,
+                    array_view<const std::string_view> writes) {
     return {.name = name,
             .files = body,
             .kind = step_kind::texels,
-            .writes = tables_name,
+            .writes = writes,
             .group_width = wide,
             .group_height = flat};
 }
@@ -182,34 +197,34 @@ template <int First, int End, int Axis>
 inline constexpr step_constant scanned[] = {
     {"first", First, "scan"}, {"end", End, "scan"}, {"axis", Axis, "scan"}};
 
-/// Makes the texels of the table of the whole picture, and sums their rows.
-inline constexpr step make_rows{.name = "make_rows",
-                                .files = made_files,
-                                .kind = step_kind::rows,
-                                .constants = scanned<0, 1, 0>,
-                                .writes = tables_name,
-                                .group_width = pieces_of_row,
-                                .group_height = rows_together};
-template <int First, int End>
-constexpr step sum_rows(std::string_view name, int from = 0) {
+/// Makes the sums of rows of tables; its GLSL defines of what.
+constexpr step rows_of(std::string_view name, array_view<const glsl_file* const> files,
+                       array_view<const step_constant> constants, int from = 0) {
     return {.name = name,
-            .files = stored_files,
+            .files = files,
             .kind = step_kind::rows,
-            .constants = scanned<First, End, 0>,
-            .writes = tables_name,
-            .how = access::modify,
+            .constants = constants,
+            .writes = rows_name,
             .group_width = pieces_of_row,
             .group_height = rows_together,
             .from = from};
 }
+/// Those of the picture, whose texels it makes.
+inline constexpr step make_rows = rows_of("make_rows", made_files, scanned<0, 1, 0>);
+/// Those of what a pass before has stored, as `Read` reads it.
+template <const glsl_file* Read, int First, int End>
+constexpr step sum_rows(std::string_view name, int from = 0) {
+    return rows_of(name, row_files<Read>, scanned<First, End, 0>, from);
+}
+
+/// Makes tables of the sums of rows.
 template <int First, int End>
 constexpr step sum_columns(std::string_view name, int from = 0) {
     return {.name = name,
-            .files = stored_files,
+            .files = column_files,
             .kind = step_kind::columns,
             .constants = scanned<First, End, 1>,
             .writes = tables_name,
-            .how = access::modify,
             .group_width = columns_together,
             .group_height = pieces_of_column,
             .from = from};

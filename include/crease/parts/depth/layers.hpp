@@ -9,6 +9,11 @@ namespace crease {
 CREASE_TRAIT(depth_layers, depth_source,
              "single layers of depth are needed, which the depth source does not hold");
 
+/// Layers in order, the nearest first: as many as the number `layers` of the source says; of one without that
+/// number one, or two with layers_behind_front.
+CREASE_TRAIT(sorted_layers, depth_source,
+             "the resolutions take layers in order from the eye, and the depth source keeps them in none");
+
 /// Layers behind that of the depth image.
 CREASE_TRAIT(layers_behind_front, depth_source,
              "the layer traversal looks behind the front surface, and the depth source holds nothing there");
@@ -32,6 +37,11 @@ CREASE_TRAIT(layers_with_normals, depth_source,
 /// `int crease_strips_place(vec2 texel)`.
 CREASE_TRAIT(layers_in_strips, depth_source,
              "the stage keeps layers in shared memory, where the depth source does not look for them");
+
+/// Finds layers in the resolution of the depth image alone.
+CREASE_TRAIT(one_resolution, resolutions,
+             "layers are looked for in the depth image or in shared memory, which have one resolution, and "
+             "there are several");
 
 /// Means over areas of the picture, layer by layer.
 CREASE_TRAIT(layers_of_areas, depth_source,

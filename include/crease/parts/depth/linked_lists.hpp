@@ -107,8 +107,8 @@ struct linked_lists_part {
         .numbers = takes,
         .resources = owns,
         .steps = passes,
-        .offers = traits<depth_layers, layers_behind_front, layers_with_opacity, layers_with_normals,
-                         layers_in_strips>::list,
+        .offers = traits<depth_layers, sorted_layers, layers_behind_front, layers_with_opacity,
+                         layers_with_normals, layers_in_strips>::list,
     };
 };
 

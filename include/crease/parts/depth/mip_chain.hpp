@@ -17,15 +17,17 @@ inline constexpr glsl_file mip_chain_level_glsl{
 
 struct mip_chain_part {
     using needs = areas::needs;
-    static constexpr part description = areas::source({
-        .kind = role::depth_source,
-        .name = "mip_chain",
-        .summary = "a mip chain of sums: an area is what a trilinear filter takes for it",
-        .source = "statistical-volumetric-obscurance 2015, 3.3",
-        .files = areas::files<&mip_chain_glsl>,
-        .numbers = areas::levels_take,
-        .steps = areas::levels<&mip_chain_level_glsl>,
-    });
+    static constexpr part description = areas::source(
+        {
+            .kind = role::depth_source,
+            .name = "mip_chain",
+            .summary = "a mip chain of sums: an area is what a trilinear filter takes for it",
+            .source = "statistical-volumetric-obscurance 2015, 3.3",
+            .files = areas::files_of_levels<&mip_chain_glsl>,
+            .numbers = areas::levels_take,
+            .steps = areas::levels<&mip_chain_level_glsl>,
+        },
+        areas::images_of_levels);
 };
 
 /// Depth source: a mip chain of `Levels` levels, the first of 1 / `Divisor` of the picture's size each way.

@@ -17,15 +17,17 @@ inline constexpr glsl_file n_buffer_level_glsl{
 
 struct n_buffer_part {
     using needs = areas::needs;
-    static constexpr part description = areas::source({
-        .kind = role::depth_source,
-        .name = "n_buffer",
-        .summary = "sums over squares of each power of two at each texel: an area is four of them",
-        .source = "statistical-volumetric-obscurance 2015, 3.3",
-        .files = areas::files<&n_buffer_glsl>,
-        .numbers = areas::levels_take,
-        .steps = areas::levels<&n_buffer_level_glsl>,
-    });
+    static constexpr part description = areas::source(
+        {
+            .kind = role::depth_source,
+            .name = "n_buffer",
+            .summary = "sums over squares of each power of two at each texel: an area is four of them",
+            .source = "statistical-volumetric-obscurance 2015, 3.3",
+            .files = areas::files_of_levels<&n_buffer_glsl>,
+            .numbers = areas::levels_take,
+            .steps = areas::levels<&n_buffer_level_glsl>,
+        },
+        areas::images_of_levels);
 };
 
 /// Depth source: an N-buffer, squares of up to 2^(`Levels` - 1) texels to a side, wider areas by their

@@ -56,8 +56,8 @@ inline constexpr resource resources[] = {fragment_layers,   fragment_surfaces, p
                                          packed_opacities,  layer_surfaces,    compressed_layers,
                                          compressed_normals};
 /// What they offer.
-using offered =
-    traits<depth_layers, layers_behind_front, layers_with_opacity, layers_with_normals, layers_in_strips>;
+using offered = traits<depth_layers, sorted_layers, layers_behind_front, layers_with_opacity,
+                       layers_with_normals, layers_in_strips>;
 
 }
 

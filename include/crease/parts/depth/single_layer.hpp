@@ -27,7 +27,7 @@ struct single_layer {
         .source = "stochastic-depth-ao 2020, ch. 4",
         .files = files,
         .widened = more,
-        .offers = traits<depth_layers, layers_in_strips>::list,
+        .offers = traits<depth_layers, sorted_layers, layers_in_strips>::list,
     };
 };
 

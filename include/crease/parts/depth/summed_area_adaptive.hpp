@@ -16,8 +16,17 @@ inline constexpr glsl_file summed_area_adaptive_split_glsl{
 #include <crease/depth/summed_area_adaptive_split.glsl>
 };
 
+inline constexpr glsl_file scan_split_glsl{
+    "depth/scan_split.glsl",
+#include <crease/depth/scan_split.glsl>
+};
+
 namespace areas {
 
+/// A level makes no more than half of all tables.
+inline constexpr resource images_of_splits[] = {
+    tables, image("area_splits", shape_half), image("area_rows", shape_half), range, range_of_columns_image};
+inline constexpr std::string_view splits_name[] = {"area_splits"};
 inline constexpr const glsl_file* split_files[] = {&summed_area_adaptive_split_glsl, &sample_area_glsl};
 
 /// The tables from `First` on split the layers of one level.
@@ -29,8 +38,7 @@ constexpr step split(std::string_view name) {
             .files = split_files,
             .kind = step_kind::texels,
             .constants = splits<First>,
-            .writes = tables_name,
-            .how = access::modify,
+            .writes = splits_name,
             .group_width = wide,
             .group_height = flat,
             .from = First + 1};
@@ -51,24 +59,26 @@ struct summed_area_adaptive_part {
         areas::make_rows,
         areas::sum_columns<0, 1>("sum_columns_0"),
         areas::split<1>("split_1"),
-        areas::sum_rows<1, 2>("sum_rows_1", 2),
+        areas::sum_rows<&scan_split_glsl, 1, 2>("sum_rows_1", 2),
         areas::sum_columns<1, 2>("sum_columns_1", 2),
         areas::split<2>("split_2"),
-        areas::sum_rows<2, 4>("sum_rows_2", 3),
+        areas::sum_rows<&scan_split_glsl, 2, 4>("sum_rows_2", 3),
         areas::sum_columns<2, 4>("sum_columns_2", 3),
         areas::split<4>("split_3"),
-        areas::sum_rows<4, 8>("sum_rows_3", 5),
+        areas::sum_rows<&scan_split_glsl, 4, 8>("sum_rows_3", 5),
         areas::sum_columns<4, 8>("sum_columns_3", 5),
     };
-    static constexpr part description = areas::source_of_tables({
-        .kind = role::depth_source,
-        .name = "summed_area_adaptive",
-        .summary = "summed-area tables of layers that are split by the mean around each texel",
-        .source = "statistical-volumetric-obscurance 2015, 4.4 and 4.6, Algorithm 2",
-        .files = areas::files<&summed_area_adaptive_glsl>,
-        .numbers = takes,
-        .steps = passes,
-    });
+    static constexpr part description = areas::source_of_tables(
+        {
+            .kind = role::depth_source,
+            .name = "summed_area_adaptive",
+            .summary = "summed-area tables of layers that are split by the mean around each texel",
+            .source = "statistical-volumetric-obscurance 2015, 4.4 and 4.6, Algorithm 2",
+            .files = areas::files<&summed_area_adaptive_glsl>,
+            .numbers = takes,
+            .steps = passes,
+        },
+        areas::images_of_splits);
 };
 
 /// Depth source: `Layers` layers out of as many summed-area tables, of 1 / `Divisor` of the picture's size

@@ -15,6 +15,11 @@ inline constexpr glsl_file summed_area_uniform_fill_glsl{
 #include <crease/depth/summed_area_uniform_fill.glsl>
 };
 
+inline constexpr glsl_file scan_filled_glsl{
+    "depth/scan_filled.glsl",
+#include <crease/depth/scan_filled.glsl>
+};
+
 struct summed_area_uniform_part {
     using needs = areas::needs;
     static constexpr number takes[] = {
@@ -25,8 +30,8 @@ struct summed_area_uniform_part {
     static constexpr step passes[] = {
         areas::range_of_columns,
         areas::range_of_picture,
-        areas::fill("split", splitting),
-        areas::sum_rows<0, takes[0].most>("sum_rows"),
+        areas::fill("split", splitting, areas::tables_name),
+        areas::sum_rows<&scan_filled_glsl, 0, takes[0].most>("sum_rows"),
         areas::sum_columns<0, takes[0].most>("sum_columns"),
     };
     static constexpr part description = areas::source_of_tables({
@@ -40,8 +45,8 @@ struct summed_area_uniform_part {
     });
 };
 
-/// Depth source: `Layers` summed-area tables, of 1 / `Divisor` of the picture's size each way. They take 16
-/// bytes a texel each, and time in proportion.
+/// Depth source: `Layers` summed-area tables, of 1 / `Divisor` of the picture's size each way. They and the
+/// sums of rows that they are made of take 16 bytes a texel each, and time in proportion.
 template <int Layers = 16, int Divisor = 1>
 struct summed_area_uniform : summed_area_uniform_part {
     static constexpr int numbers[] = {Layers, Divisor};

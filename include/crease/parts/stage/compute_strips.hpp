@@ -15,7 +15,7 @@ inline constexpr glsl_file compute_strips_glsl{
 };
 
 struct compute_strips_part {
-    using needs = traits<layers_in_strips>;
+    using needs = traits<layers_in_strips, one_resolution>;
     static constexpr number takes[] = {
         {"width", 1, 1024, 8, "of the workgroup, invocations"},
         {"height", 1, 1024, 8, "of the workgroup, invocations"},

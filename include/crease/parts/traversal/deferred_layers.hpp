@@ -20,7 +20,7 @@ struct deferred_layers_part : front_part {
         {"looks", 1, 4, 1,
          "behind how many of each four taps in a row to look, the first where that may matter"},
     };
-    using needs = traits<layers_behind_front, layers_behind>;
+    using needs = traits<layers_behind_front, layers_behind, one_resolution>;
     static constexpr const glsl_file* files[] = {&front_glsl, &deferred_layers_glsl};
     static constexpr part description{
         .kind = role::layer_traversal,

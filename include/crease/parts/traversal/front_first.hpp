@@ -11,7 +11,7 @@ inline constexpr glsl_file front_first_glsl{
 };
 
 struct front_first_part : front_part {
-    using needs = traits<layers_behind_front>;
+    using needs = traits<layers_behind_front, one_resolution>;
     static constexpr const glsl_file* files[] = {&front_glsl, &front_first_glsl};
     static constexpr part description{
         .kind = role::layer_traversal,

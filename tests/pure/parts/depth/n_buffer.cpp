@@ -18,11 +18,13 @@ static_assert(half::passes.size() == 8); // two of the range, five levels, the m
 
 }
 
-TEST_CASE("n_buffer makes each level of the one before, in a table of its own") {
-    const auto tables = std::ranges::find(half::resources, "area_tables", &resource::name);
-    REQUIRE(tables != half::resources.end());
-    CHECK(tables->layers == 5);
-    CHECK(tables->size.divisor == 2);
+TEST_CASE("n_buffer makes each level of the one before, which is in the other image") {
+    const auto even = std::ranges::find(half::resources, "even_levels", &resource::name);
+    const auto odd = std::ranges::find(half::resources, "odd_levels", &resource::name);
+    REQUIRE((even != half::resources.end() && odd != half::resources.end()));
+    CHECK(even->layers == 3);
+    CHECK(odd->layers == 2);
+    CHECK((even->size.divisor == 2 && odd->size.divisor == 2));
     CHECK(half::passes[6].name == "level_4");
     CHECK(contains(half::passes[6].pieces[0].text, "const int crease_areas_level = 4;"));
     CHECK(has_part_of(half::passes[6], "depth/n_buffer_level.glsl"));

@@ -20,11 +20,13 @@ static_assert(full::passes.size() == 5);
 
 }
 
-TEST_CASE("summed_area makes and sums rows, and then sums columns of the same table in place") {
+TEST_CASE("summed_area makes and sums rows into one image, and sums their columns into another") {
     CHECK(full::passes[2].covers == dispatch::rows);
     CHECK(full::passes[3].covers == dispatch::columns);
-    CHECK(full::passes[2].bindings.back().how == access::store);
-    CHECK(full::passes[3].bindings.back().how == access::modify);
+    CHECK(full::passes[2].bindings.back().name == "area_rows");
+    CHECK(full::passes[3].bindings.back().name == "area_tables");
+    CHECK(full::passes[3].bindings[0].name == "area_rows");
+    CHECK(full::passes[3].bindings[0].how == access::sample);
     for (std::size_t i : {2u, 3u})
         CHECK(contains(full::passes[i].pieces[0].text,
                        i == 2 ? "const int crease_scan_axis = 0;" : "const int crease_scan_axis = 1;"));

@@ -32,6 +32,8 @@ TEST_CASE("four layers are stored in four tables, and the others are differences
     const auto tables = std::ranges::find(four::resources, "area_tables", &resource::name);
     REQUIRE(tables != four::resources.end());
     CHECK(tables->layers == 4);
+    for (std::string_view name : {"area_splits", "area_rows"}) // of one level
+        CHECK(std::ranges::find(four::resources, name, &resource::name)->layers == 2);
     CHECK(four::passes[4].name == "split_1");
     CHECK(four::passes[7].name == "split_2");
     CHECK(contains(four::passes[7].pieces[0].text, "const int crease_summed_area_adaptive_split = 2;"));

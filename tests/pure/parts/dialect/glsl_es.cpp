@@ -81,8 +81,8 @@ TEST_CASE("what glsl_es cannot is refused by name") {
           "(multisampled, glsl_es)");
     CHECK(error_of("directions/single_layer/hbao/bilateral/image_load/fragment/glsl_es:300") ==
           "crease::effect: GLSL ES 3.00 has no storage images, which a part loads (image_load, glsl_es)");
-    CHECK(error_of("box_area/n_buffer/unsharp_mask/glsl_es") ==
-          "crease::effect: GLSL ES and WebGPU change no image of several numbers in place, as a part does "
-          "(n_buffer, glsl_es)");
+    CHECK(error_of("box_area/summed_area/unsharp_mask/subgroup_scan/glsl_es") ==
+          "crease::effect: GLSL ES and WebGPU promise no operations of subgroups, which a part needs "
+          "(subgroup_scan, glsl_es)");
     CHECK(recipe("directions/depth_pyramid/hbao/glsl_es"));
 }

@@ -3,10 +3,8 @@
 __LINE__, R"glsl("
 #endif
 
-// A scan of what a pass before has stored.
+// A scan of what the pass before has put where the tables will be.
 vec4 crease_scan_read(ivec3 at) { return crease_load_area_tables(at); }
-
-vec4 crease_scan_reread(ivec3 at) { return crease_load_area_tables(at); }
 #ifdef __cplusplus
 ")glsl"
 #endif

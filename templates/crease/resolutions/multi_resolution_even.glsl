@@ -3,7 +3,7 @@
 __LINE__, R"glsl("
 #endif
 
-void crease_keep_occlusion(ivec2 texel, uint occlusion) {
+void crease_keep_occlusion(ivec3 texel, uint occlusion) {
     imageStore(crease_even_occlusion, texel, uvec4(occlusion));
 }
 #ifdef __cplusplus

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT-0
 #ifndef __cplusplus
-crease_fetched crease_fetch(vec2 texel);
-void crease_multi_resolution_leave_out(bool own);
 crease_receiver crease_with_reach(crease_receiver receiver);
 vec2 crease_with_coarser(crease_receiver receiver, float occlusion);
 crease_gathered crease_gather(crease_receiver receiver);
@@ -15,15 +13,8 @@ __LINE__, R"glsl("
 // How often the sides of the picture are halved in which a pass gathers: the main pass in that of the depth image.
 int crease_resolution() { return 0; }
 
-// A tap that falls on the receiver's texel of that resolution finds nothing there.
-crease_fetched crease_fetch_tap(crease_pattern pattern, crease_receiver receiver, int step, crease_tap tap) {
-    ivec2 there = ivec2(tap.texel) >> crease_resolution(), here = ivec2(receiver.texel) >> crease_resolution();
-    crease_multi_resolution_leave_out(there == here);
-    return crease_fetch(tap.texel);
-}
-
 // What a pass that gathers in a picture of odd index has found for the one before it.
-uint crease_load_coarser(ivec2 texel, int level) { return crease_load_odd_occlusion(texel, level).x; }
+uint crease_load_coarser(ivec3 texel, int resolution) { return crease_load_odd_occlusion(texel, resolution - 1).x; }
 
 // The greatest occlusion that a resolution gives finds what is near, the mean what is far as well: Hoang and Low 2010.
 crease_result crease_result_of(crease_receiver receiver) {
