@@ -47,8 +47,13 @@ TEST_CASE("refuses: recipes") {
                    "render built-in --recipe nothing/single_layer/hbao");
     expect_refusal(usage, "a recipe that is run is of programs in the vulkan dialect",
                    "render built-in --recipe directions/single_layer/hbao/opengl");
-    expect_refusal(usage, "no scene says what is dynamic",
+    expect_refusal(usage, "nothing of the scene is dynamic; name nodes or groups of it by --dynamic",
                    "render built-in --recipe directions/static_and_dynamic_layers/hbao");
+    expect_refusal(failure,
+                   "built-in: --dynamic: no triangle is of a node or group named 'car'; the scene names none",
+                   "render built-in --dynamic car --recipe directions/static_and_dynamic_layers/hbao");
+    expect_refusal(usage, "--dynamic: the recipe draws all geometry alike; take static_and_dynamic_layers",
+                   std::string("render built-in --dynamic car") + hbao);
     expect_refusal(usage, "no part of the name 'nothing'", "bench --recipes nothing/single_layer/hbao",
                    false);
 }

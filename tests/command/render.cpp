@@ -235,6 +235,37 @@ TEST_CASE("render: behind glass there is ambient occlusion, which a single layer
     CHECK(every < 0.7 * single);
 }
 
+TEST_CASE("render: what moves before a wall hides nothing of it") {
+    const temporary_folder folder;
+    const std::string wall = "v -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\n",
+                      pane = "v -1 -1 1\nv 1 -1 1\nv 1 1 1\n"
+                             "v -1 1 1\n",
+                      scene = "'" +
+                              folder.put("a.obj", wall + pane + "g wall\nf 1 2 3 4\ng pane\nf 5 6 7 8\n")
+                                  .string() +
+                              "'";
+    folder.put("a.cameras.json",
+               R"([{"name": "before", "eye": [0, 0, 5], "target": [0, 0, 0], "up": [0, 1, 0],
+        "vfov_deg": 60, "near": 0.5, "far": 100, "width": 64, "height": 36, "ao_radius": 1.5}])");
+    const auto with = [&](const std::string& source, const std::string& options) {
+        return render_files(scene, "--recipe half_directions:4x8/" + source + "/cosine_bitmask:1 " +
+                                       options)["ao.pfm"];
+    };
+    const image two = with("static_and_dynamic_layers", "--dynamic pane"),
+                turned = with("static_and_dynamic_layers", "--dynamic wall"), all = with("layer_array:2", ""),
+                same = with("static_and_dynamic_layers", "--dynamic wall --dynamic pane"),
+                single = with("layer_array:1", "");
+    CHECK(two.texels == all.texels);
+    CHECK(turned.texels == all.texels);
+    CHECK(same.texels == single.texels);
+    CHECK(all.texels != single.texels);
+    CHECK(
+        json_in(
+            render_files(scene, "--dynamic pane --recipe directions/static_and_dynamic_layers/hbao").folder /
+            "out/meta.json")
+            .at("dynamic") == nlohmann::json{"pane"});
+}
+
 TEST_CASE("render: colours of layers, each over those behind it") {
     // A white floor of which half is seen, over white; the wall's edge is to the left of the middle.
     const render_files plane(

@@ -24,7 +24,7 @@ struct render_options {
     std::string recipe, device, second_camera;
     unsigned guard = 0;
     std::uint32_t frame = 0;
-    std::vector<std::string> settings;
+    std::vector<std::string> settings, dynamic;
     device_depth_kind depth = device_depth_kind::reversed;
     bool validation = false;
     std::filesystem::path directory;
@@ -79,6 +79,8 @@ nlohmann::ordered_json describe(const render_options& options, const camera& fro
                                           timed_runs)},
                  {"captures", times_of(times.captures)},
                  {"passes", times_of(times.passes)}});
+    if (!options.dynamic.empty())
+        meta["dynamic"] = options.dynamic;
     return meta;
 }
 
@@ -96,6 +98,8 @@ void check_use(const render_options& options, const recipe& chosen) {
     if (options.scene.opacity &&
         std::ranges::none_of(effect.passes, [](const pass& p) { return p.takes_surfaces; }))
         throw recipe_error("--opacity: the recipe takes every surface for opaque; add /every_layer to it");
+    if (!options.dynamic.empty() && std::ranges::none_of(effect.passes, draws_dynamic))
+        throw recipe_error("--dynamic: the recipe draws all geometry alike; take static_and_dynamic_layers");
     if (options.frame != 0 && !has_noise)
         throw recipe_error("--frame: the recipe has no randomness that it could change");
 }
@@ -107,7 +111,7 @@ void run(const render_options& options) {
                       .settings = parse_settings(options.settings),
                       .frame = options.frame};
     settle(wanted, how);
-    const mesh scene = scene_of(options.scene.scene, options.scene.opacity);
+    const mesh scene = scene_of(options.scene.scene, options.scene.opacity, options.dynamic);
     const std::vector<camera> cameras = cameras_of(options.scene.scene, scene, options.scene.cameras);
     const camera from = options.scene.choose(cameras);
     how.radius = from.ao_radius;
@@ -161,6 +165,7 @@ void add_render(CLI::App& app) {
         app.add_subcommand("render", "a scene's G-buffer by rasterisation, and an effect on it");
     const auto options = std::make_shared<render_options>();
     options->scene.add_to(*command);
+    add_dynamic_option(*command, options->dynamic);
     command->add_option("--recipe", options->recipe, "SAMPLER/DEPTH/ESTIMATOR[/FILTER...], see `crease list`")
         ->required();
     add_each(*command, "--set", options->settings, "name=value of a setting, see `crease list`");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene_options.hpp"
 
+#include "commands.hpp"
 #include "ranges.hpp"
 
 #include <fmt/format.h>
@@ -62,10 +63,17 @@ void add_depth_option(CLI::App& command, device_depth_kind& depth) {
         ->check(CLI::IsMember({"reversed", "standard", "infinite"}));
 }
 
-mesh scene_of(const std::string& name, std::optional<float> opacity) {
+mesh scene_of(const std::string& name, std::optional<float> opacity, std::span<const std::string> dynamic) {
     const built_in* known = find_built_in(name);
-    mesh scene = known ? known->scene() : load_mesh(name);
-    return opacity ? with_opacity(std::move(scene), *opacity) : scene;
+    const mesh scene = with_dynamic(known ? known->scene() : load_mesh(name), dynamic, name + ": --dynamic");
+    return opacity ? with_opacity(scene, *opacity) : scene;
+}
+
+void add_dynamic_option(CLI::App& command, std::vector<std::string>& dynamic) {
+    add_each(
+        command, "--dynamic", dynamic,
+        "name of a node of the scene, and all below it, or of an object or a group, that moves; those that "
+        "glTF gives an animation or a skin do");
 }
 
 void add_opacity_option(CLI::App& command, std::optional<float>& opacity) {

@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,7 +34,12 @@ void add_depth_option(CLI::App& command, device_depth_kind& depth);
 
 /// The triangles of a file, or of a built-in scene.
 /// @param opacity  for each surface that is opaque otherwise
-mesh scene_of(const std::string& name, std::optional<float> opacity = {});
+/// @param dynamic  names of triangles that are dynamic, beside those that the file says
+mesh scene_of(const std::string& name, std::optional<float> opacity = {},
+              std::span<const std::string> dynamic = {});
+
+/// Adds the option of those names.
+void add_dynamic_option(CLI::App& command, std::vector<std::string>& dynamic);
 
 /// Adds the option of that opacity.
 void add_opacity_option(CLI::App& command, std::optional<float>& opacity);

@@ -48,7 +48,7 @@ truth truth_of(const subject& view, const mesh& scene, const view_options& optio
 
 void add_views(vulkan::device& device, const std::string& path, const view_options& options,
                std::vector<subject>& views) {
-    const mesh scene = scene_of(path, options.opacity);
+    const mesh scene = scene_of(path, options.opacity, options.dynamic);
     check_hull(options.hull, scene);
     for (const camera& each : cameras_of(path, scene)) {
         if (!options.cameras.empty() && std::ranges::count(options.cameras, each.name) == 0)
@@ -79,6 +79,7 @@ void view_options::add_to(CLI::App& command) {
         "scenes", scenes,
         "scene files, with their cameras in <stem>.cameras.json, or built-in, or glass; else built-in");
     add_opacity_option(command, opacity);
+    add_dynamic_option(command, dynamic);
     add_hull_option(command, hull);
     command.add_option("--guard", guard, "width of the guard band around the pictures, texels")
         ->check(whole_number_from(0, 4096));

@@ -20,8 +20,9 @@ struct view_options {
     std::vector<std::string> scenes{}, cameras{};
     lens_options lens{};
     device_depth_kind depth = device_depth_kind::reversed;
-    std::optional<float> opacity{}; ///< of surfaces that are opaque otherwise
-    bool hull = false;              ///< transparent surfaces are thin hulls to the truth
+    std::optional<float> opacity{};     ///< of surfaces that are opaque otherwise
+    std::vector<std::string> dynamic{}; ///< names of what moves in each scene
+    bool hull = false;                  ///< transparent surfaces are thin hulls to the truth
     unsigned guard = 0, width = 1280, height = 720, rays = 256;
     std::filesystem::path truths{}; ///< a directory that keeps them; empty: none does
     bool hidden = false;            ///< where occluders hide is known too

@@ -89,13 +89,17 @@ recipe seen_by(const camera& from, const recipe& chosen);
 /// and workgroups in columns.
 recipe supported(const vulkan::device& device, const recipe& chosen);
 
+/// Whether a geometry pass draws dynamic triangles alone.
+bool draws_dynamic(const pass& which);
+
 /// An effect that is ready to run on a G-buffer, which must outlive it. The effect reads device depth and
 /// given or reconstructed normals.
 class prepared_effect {
 public:
-    /// @throws recipe_error  where the recipe cannot be run or does not fit the camera, or a setting is
-    /// unknown
-    ///                       to every part of it or out of its range;
+    /// @throws recipe_error  where the recipe cannot be run, does not fit the camera or draws dynamic
+    /// triangles
+    ///                       of a scene without any, or a setting is unknown to every part of it or out of
+    ///                       its range;
     ///         vulkan::error, scene_error
     prepared_effect(vulkan::device& device, const recipe& chosen, const gbuffer& inputs,
                     const frame_options& options);

@@ -17,34 +17,52 @@ namespace {
 /// Device depth is near / depth, which must not fall to where 32-bit numbers lose bits.
 constexpr double least_depth = 0x1p-110;
 
-/// Three vertices of position and face normal for each triangle.
-std::vector<float> flat_vertices(const eye_mesh& scene) {
-    std::vector<float> numbers;
-    numbers.reserve(scene.indices.size() * vulkan::mesh::numbers_per_vertex);
-    for (std::size_t i = 0; i + 2 < scene.indices.size(); i += 3) {
-        const glm::vec3 corners[] = {scene.positions[scene.indices[i]], scene.positions[scene.indices[i + 1]],
-                                     scene.positions[scene.indices[i + 2]]};
+/// Three vertices for each triangle.
+struct flat_vertices {
+    std::vector<float> positions_and_normals, colours;
+
+    void add(const eye_mesh& scene, std::size_t triangle) {
+        const std::uint32_t* corner = &scene.indices[3 * triangle];
+        const glm::vec3 corners[] = {scene.positions[corner[0]], scene.positions[corner[1]],
+                                     scene.positions[corner[2]]};
         const glm::vec3 normal = normal_of(corners[0], corners[1], corners[2]);
-        for (const glm::vec3& p : corners)
-            numbers.insert(numbers.end(), {p.x, p.y, p.z, normal.x, normal.y, normal.z});
+        const glm::vec4& c = scene.material_of(triangle).colour;
+        for (const glm::vec3& p : corners) {
+            positions_and_normals.insert(positions_and_normals.end(),
+                                         {p.x, p.y, p.z, normal.x, normal.y, normal.z});
+            colours.insert(colours.end(), {c.r, c.g, c.b, c.a});
+        }
     }
-    return numbers;
-}
+};
 
-std::vector<float> colours_of_vertices(const eye_mesh& scene) {
-    std::vector<float> numbers;
-    numbers.reserve(scene.indices.size() * vulkan::mesh::numbers_per_colour);
-    for (std::size_t i = 0; i < scene.indices.size(); ++i) {
-        const glm::vec4& c = scene.material_of(i / 3).colour;
-        numbers.insert(numbers.end(), {c.r, c.g, c.b, c.a});
+/// The triangles of a scene that a choice has; where it has none, one without area, as a mesh has at least
+/// one.
+template <typename Choice>
+std::shared_ptr<vulkan::mesh> upload(vulkan::device& device, const eye_mesh& scene, Choice has) {
+    flat_vertices all;
+    for (std::size_t i = 0; i < scene.triangles(); ++i)
+        if (has(i))
+            all.add(scene, i);
+    if (all.colours.empty()) {
+        all.positions_and_normals.resize(3 * vulkan::mesh::numbers_per_vertex);
+        all.colours.resize(3 * vulkan::mesh::numbers_per_colour);
     }
-    return numbers;
+    return std::make_shared<vulkan::mesh>(device, all.positions_and_normals, all.colours);
 }
 
 }
 
-std::shared_ptr<vulkan::mesh> upload_geometry(vulkan::device& device, const eye_mesh& scene) {
-    return std::make_shared<vulkan::mesh>(device, flat_vertices(scene), colours_of_vertices(scene));
+geometry upload_geometry(vulkan::device& device, const eye_mesh& scene, const transforms& how) {
+    geometry made{.triangles = upload(device, scene, [](std::size_t) { return true; }),
+                  .of_static = nullptr,
+                  .of_dynamic = nullptr,
+                  .how = how,
+                  .scale = scene.scale};
+    if (std::ranges::count(scene.dynamic, true) > 0) {
+        made.of_static = upload(device, scene, [&](std::size_t i) { return !scene.dynamic[i]; });
+        made.of_dynamic = upload(device, scene, [&](std::size_t i) { return bool{scene.dynamic[i]}; });
+    }
+    return made;
 }
 
 glm::mat4 projection_matrix(const camera& from, const eye_scale& scene, device_depth_kind depth) {

@@ -19,7 +19,8 @@ struct transforms {
 
 /// A scene on the device, and how a camera draws it.
 struct geometry {
-    std::shared_ptr<vulkan::mesh> triangles;
+    std::shared_ptr<vulkan::mesh> triangles;             ///< all
+    std::shared_ptr<vulkan::mesh> of_static, of_dynamic; ///< the same in two; null where none is dynamic
     transforms how;
     eye_scale scale;
 };
@@ -41,7 +42,7 @@ constexpr float background_of(device_depth_kind kind) {
 
 /// Positions, face normals and colours of all triangles.
 /// @throws vulkan::error
-std::shared_ptr<vulkan::mesh> upload_geometry(vulkan::device& device, const eye_mesh& scene);
+geometry upload_geometry(vulkan::device& device, const eye_mesh& scene, const transforms& how);
 
 /// View space to Vulkan's clip space, which points down; in the units of the scene.
 /// @throws scene_error where near is too small beside the scene, or an orthographic camera is to see to

@@ -147,6 +147,17 @@ transforms transforms_of(const pass& which, parameters& how, const gbuffer& inpu
     return {turn * inputs.drawn.how.view_from_eye, projection};
 }
 
+/// What a geometry pass draws of a scene.
+const vulkan::mesh& drawn_in(const pass& which, const geometry& scene) {
+    if (draws_dynamic(which))
+        return *scene.of_dynamic;
+    return which.name.starts_with("capture_static") ? *scene.of_static : *scene.triangles;
+}
+
+}
+
+bool draws_dynamic(const pass& which) {
+    return which.name.starts_with("capture_dynamic");
 }
 
 recipe seen_by(const camera& from, const recipe& chosen) {
@@ -198,9 +209,10 @@ prepared_effect::prepared_effect(vulkan::device& device, const recipe& wanted, c
     if (effect.passes.back().stage == stage_kind::functions ||
         effect.passes.back().dialect != dialect_kind::vulkan)
         throw recipe_error("a recipe that is run is of programs in the vulkan dialect");
-    if (std::ranges::find(effect.passes, "capture_dynamic", &pass::name) != effect.passes.end())
-        throw recipe_error("the recipe draws dynamic geometry apart from static geometry, and no scene says "
-                           "what is dynamic; draw them in a host of your own, or take separated_layers");
+    if (std::ranges::any_of(effect.passes, draws_dynamic) && !inputs.drawn.of_dynamic)
+        throw recipe_error("the recipe draws dynamic geometry apart from static geometry, and nothing of the "
+                           "scene is dynamic; name nodes or groups of it by --dynamic, or take "
+                           "separated_layers");
     how_.view = inputs.view;
     how_.radius = inputs.drawn.scale.radius(options.radius);
     describe_camera(how_, effect, inputs);
@@ -226,7 +238,7 @@ void prepared_effect::set_geometry() {
                                .fragment = fragment,
                                .push_constant_bytes = sizeof pushed,
                                .reversed_depth = inputs_.depth_kind != device_depth_kind::standard},
-                              *inputs_.drawn.triangles, std::as_bytes(std::span(&pushed, 1)));
+                              drawn_in(each, inputs_.drawn), std::as_bytes(std::span(&pushed, 1)));
     }
 }
 

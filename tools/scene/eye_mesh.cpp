@@ -65,6 +65,7 @@ eye_mesh seen_from(const glm::dvec3& eye, const mesh& scene) {
             continue;
         made.indices.insert(made.indices.end(), &scene.indices[i], &scene.indices[i] + 3);
         made.material_ids.push_back(of);
+        made.dynamic.push_back(triangle < scene.dynamic.size() && scene.dynamic[triangle]);
     }
     if (!is_seen)
         throw scene_error("every triangle of the scene has opacity 0, so that nothing is seen");

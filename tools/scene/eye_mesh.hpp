@@ -27,6 +27,7 @@ struct eye_mesh {
         indices;                     ///< three a triangle; each has an area also after rounding, and is seen
     std::vector<material> materials; ///< that triangles are of
     std::vector<std::uint32_t> material_ids; ///< of each triangle, places in `materials`
+    std::vector<bool> dynamic;               ///< of each triangle, whether it moves
     eye_scale scale;
 
     std::size_t triangles() const { return indices.size() / 3; }

@@ -15,7 +15,9 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace crease::tools {
 namespace {
@@ -153,13 +155,39 @@ public:
 
     mesh read() {
         make_room();
-        for (const std::size_t node : nodes_.shown)
-            if (root_["nodes"].at(node).has("mesh"))
-                add(node);
+        for (const std::size_t node : nodes_.shown) {
+            const gltf_value of = root_["nodes"].at(node);
+            close(nodes_.depth[node]);
+            open_.push_back(
+                {node, result_.triangles(), nodes_.animated[node] || (!open_.empty() && open_.back().moves)});
+            if (!of.has("mesh"))
+                continue;
+            add(node);
+            if (open_.back().moves || of.has("skin"))
+                set_dynamic(result_, open_.back().first, result_.triangles());
+        }
+        close(0);
         return std::move(result_);
     }
 
 private:
+    /// A node of which the triangles of all below it are to come.
+    struct open_node {
+        std::size_t node, first;
+        bool moves;
+    };
+
+    /// Names the triangles of the open nodes from a depth on.
+    void close(std::size_t depth) {
+        while (!open_.empty() && nodes_.depth[open_.back().node] >= depth) {
+            const gltf_value of = root_["nodes"].at(open_.back().node);
+            if (of.has("name") && open_.back().first < result_.triangles())
+                result_.named.push_back(
+                    {std::string(of["name"].text()), open_.back().first, result_.triangles()});
+            open_.pop_back();
+        }
+    }
+
     void make_room() {
         double vertices = 0, triangles = 0, steps = 0;
         for (const std::size_t node : nodes_.shown) {
@@ -314,6 +342,7 @@ private:
     std::map<std::size_t, part> parts_;
     std::map<std::size_t, skin> skins_;
     std::map<std::size_t, std::optional<material>> materials_;
+    std::vector<open_node> open_;
     mesh result_;
 };
 

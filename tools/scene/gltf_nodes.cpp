@@ -93,6 +93,20 @@ std::vector<std::size_t> top_nodes(const gltf_value& root, const forest& nodes) 
     return top;
 }
 
+/// Of animations only that they are there is read.
+std::vector<bool> animated_nodes(const gltf_value& root, std::size_t count) {
+    std::vector<bool> animated(count);
+    for (std::size_t i = 0; i < root.count("animations"); ++i) {
+        const gltf_value animation = root["animations"].at(i);
+        for (std::size_t k = 0; k < animation.count("channels"); ++k) {
+            const gltf_value target = animation["channels"].at(k)["target"];
+            if (target.has("node"))
+                animated[target["node"].index(count)] = true;
+        }
+    }
+    return animated;
+}
+
 }
 
 glm::dmat4 transform(const glm::dvec3& translation, const glm::dquat& rotation, const glm::dvec3& scale) {
@@ -104,6 +118,8 @@ gltf_nodes read_gltf_nodes(const gltf_value& root) {
     const forest nodes = read_forest(root, count);
     gltf_nodes placed;
     placed.to_world.resize(count);
+    placed.depth.resize(count);
+    placed.animated = animated_nodes(root, count);
     std::size_t reached = 0;
     for (std::size_t i = 0; i < count; ++i)
         if (nodes.parent[i] == none)
@@ -111,6 +127,7 @@ gltf_nodes read_gltf_nodes(const gltf_value& root) {
                 const std::size_t parent = nodes.parent[node];
                 const glm::dmat4 own = to_parent(root["nodes"].at(node));
                 placed.to_world[node] = parent == none ? own : placed.to_world[parent] * own;
+                placed.depth[node] = parent == none ? 0 : placed.depth[parent] + 1;
                 ++reached;
             });
     if (reached != count)

@@ -16,6 +16,8 @@ namespace crease::tools {
 struct gltf_nodes {
     std::vector<glm::dmat4> to_world; ///< by node
     std::vector<std::size_t> shown;   ///< the nodes of the scene that is shown, each before its children
+    std::vector<std::size_t> depth;   ///< by node: how many stand above it
+    std::vector<bool> animated;       ///< by node: whether an animation moves it, or its shape
 };
 
 /// @param root  the whole JSON

@@ -4,12 +4,14 @@
 #include "scene/limits.hpp"
 #include "scene/obj.hpp"
 #include "scene/scene.hpp"
+#include "scene/shown.hpp"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace crease::tools {
 namespace {
@@ -34,6 +36,22 @@ std::string known_extension(std::string_view extension, std::string_view name) {
         throw scene_error(
             fmt::format("{}: cannot read '.{}' scenes; use .glb, .gltf or .obj", name, extension));
     return lower;
+}
+
+/// A sentence that says which names there are.
+std::string names_in(const mesh& scene) {
+    constexpr std::size_t most = 20;
+    std::set<std::string_view> all;
+    for (const named_triangles& each : scene.named)
+        all.insert(each.name);
+    if (all.empty())
+        return "the scene names none";
+    std::string sentence = "there are";
+    std::size_t count = 0;
+    for (const std::string_view name : all)
+        if (++count <= most)
+            sentence += fmt::format("{} '{}'", count > 1 ? "," : "", shown(name));
+    return count > most ? fmt::format("{} and {} more", sentence, count - most) : sentence;
 }
 
 /// @param folder  where further files are; null where none may be read
@@ -91,6 +109,28 @@ void paint(mesh& to, const material& with) {
     if (to.materials.empty() || to.materials.back() != with)
         to.materials.push_back(with);
     to.material_ids.resize(to.triangles(), static_cast<std::uint32_t>(to.materials.size() - 1));
+}
+
+void set_dynamic(mesh& of, std::size_t first, std::size_t end) {
+    if (of.dynamic.size() < end)
+        of.dynamic.resize(end);
+    std::fill(of.dynamic.begin() + static_cast<std::ptrdiff_t>(first),
+              of.dynamic.begin() + static_cast<std::ptrdiff_t>(end), true);
+}
+
+mesh with_dynamic(mesh scene, std::span<const std::string> names, std::string_view label) {
+    for (const std::string& name : names) {
+        bool is_there = false;
+        for (const named_triangles& each : scene.named)
+            if (each.name == name) {
+                set_dynamic(scene, each.first, each.end);
+                is_there = true;
+            }
+        if (!is_there)
+            throw scene_error(fmt::format("{}: no triangle is of a node or group named '{}'; {}", label,
+                                          shown(name), names_in(scene)));
+    }
+    return scene;
 }
 
 bool is_transparent(const mesh& scene) {

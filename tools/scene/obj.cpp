@@ -15,6 +15,8 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace crease::tools {
 namespace {
@@ -80,6 +82,32 @@ private:
     mtl_materials materials_;
 };
 
+/// The names under which the triangles of a file stand: those of an object, and those of groups.
+class open_names {
+public:
+    explicit open_names(mesh& to) : to_(to) {}
+
+    /// The words of a line are the names of what comes now.
+    void begin(obj_lines& line) {
+        end();
+        first_ = to_.triangles();
+        for (std::string_view name = line.word(); !name.empty(); name = line.word())
+            names_.emplace_back(name);
+    }
+
+    void end() {
+        if (first_ < to_.triangles())
+            for (std::string& name : names_)
+                to_.named.push_back({std::move(name), first_, to_.triangles()});
+        names_.clear();
+    }
+
+private:
+    mesh& to_;
+    std::vector<std::string> names_;
+    std::size_t first_ = 0;
+};
+
 }
 
 mesh read_obj(std::string_view file, const std::filesystem::path* folder) {
@@ -87,6 +115,7 @@ mesh read_obj(std::string_view file, const std::filesystem::path* folder) {
     triangulator polygons(made);
     libraries of_file(folder);
     material used;
+    open_names of_object(made), of_groups(made);
     std::vector<std::uint32_t> face;
     std::size_t above = 0;
     for (obj_lines line(file); line.next();) {
@@ -94,6 +123,10 @@ mesh read_obj(std::string_view file, const std::filesystem::path* folder) {
         above += kind == "v";
         if (kind == "mtllib")
             of_file.read(line);
+        if (kind == "o")
+            of_object.begin(line);
+        if (kind == "g")
+            of_groups.begin(line);
         if (kind == "usemtl") {
             paint(made, used);
             used = of_file.named(line.rest());
@@ -106,6 +139,8 @@ mesh read_obj(std::string_view file, const std::filesystem::path* folder) {
         polygons.add(face);
     }
     paint(made, used);
+    of_object.end();
+    of_groups.end();
     return made;
 }
 

@@ -32,6 +32,14 @@ struct material {
     bool operator==(const material&) const = default;
 };
 
+/// Triangles that stand one after another in a mesh, by the name that the scene gives them.
+struct named_triangles {
+    std::string name;
+    std::size_t first, end; ///< behind the last
+
+    bool operator==(const named_triangles&) const = default;
+};
+
 /// Triangles in world space, every one two-sided.
 struct mesh {
     std::vector<glm::dvec3> positions{};       ///< world space, none beyond `farthest_coordinate`
@@ -39,6 +47,9 @@ struct mesh {
     std::vector<material> materials{};         ///< that triangles are of
     std::vector<std::uint32_t> material_ids{}; ///< of the first triangles, places in `materials`; the others
                                                ///< are white and opaque
+    std::vector<named_triangles> named{}; ///< of a node of glTF and all below it, or of an object or a group
+                                          ///< of OBJ; a name may stand for several
+    std::vector<bool> dynamic{};          ///< of the first triangles, whether they move; the others do not
 
     std::size_t triangles() const { return indices.size() / 3; }
     /// What a triangle is of.
@@ -54,6 +65,14 @@ void check_mesh(const mesh& scene, std::string_view name);
 
 /// Makes all triangles that have no material yet of this one.
 void paint(mesh& to, const material& with);
+
+/// Makes triangles of a mesh dynamic.
+void set_dynamic(mesh& of, std::size_t first, std::size_t end);
+
+/// The scene with the triangles of these names dynamic, beside those that are.
+/// @param label  what the message calls the scene
+/// @throws scene_error where no triangle has a name, which lists those there are
+mesh with_dynamic(mesh scene, std::span<const std::string> names, std::string_view label);
 
 /// Whether something is seen through one of the triangles.
 bool is_transparent(const mesh& scene);

@@ -106,3 +106,12 @@ TEST_CASE("eye mesh: what has opacity 0 is left out, and the others keep their m
     expect_error<scene_error>("every triangle of the scene has opacity 0, so that nothing is seen",
                               [&] { seen_from(glm::dvec3(0), clear); });
 }
+
+TEST_CASE("eye mesh: what is dynamic stays so where other triangles are left out") {
+    mesh scene{.positions = {{0, 0, -2}, {1, 0, -2}, {0, 1, -2}},
+               .indices = {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2}};
+    scene.materials = {{{1, 1, 1, 1}}, {{1, 1, 1, 0}}};
+    scene.material_ids = {0, 1, 0};
+    scene.dynamic = {false, true, true};
+    CHECK(seen_from({0, 0, 0}, scene).dynamic == std::vector<bool>{false, true, false});
+}

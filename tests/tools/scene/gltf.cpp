@@ -229,6 +229,35 @@ TEST_CASE("glTF: materials of primitives, and what is masked away is not there")
     check_refused(file, "materials[1].alphaMode is 'GLASS', and must be OPAQUE, MASK or BLEND");
 }
 
+TEST_CASE("glTF: triangles have the names of their nodes and of those above") {
+    gltf_file file;
+    file.json["nodes"] = nlohmann::json::parse(
+        R"([{"name": "car", "children": [1, 3]}, {"name": "wheel", "mesh": 0, "children": [2]}, {"mesh": 0},
+            {"name": "wheel", "mesh": 0}, {"name": "road", "mesh": 0}, {"name": "lamp"}])");
+    file.json["scenes"][0]["nodes"] = {5, 0, 4};
+    const mesh scene = read_gltf(file.glb(), nullptr);
+    CHECK(scene.triangles() == 8);
+    CHECK(scene.named ==
+          std::vector<named_triangles>{{"wheel", 0, 4}, {"wheel", 4, 6}, {"car", 0, 6}, {"road", 6, 8}});
+    CHECK(scene.dynamic.empty());
+}
+
+TEST_CASE("glTF: what an animation moves is dynamic with all below it, and so is what has a skin") {
+    gltf_file file;
+    file.json["nodes"] = nlohmann::json::parse(
+        R"([{"mesh": 0}, {"children": [2, 3], "mesh": 0}, {"mesh": 0}, {}, {"mesh": 0, "skin": 0, "children": [5]},
+            {"mesh": 0}])");
+    file.json["skins"] = nlohmann::json::parse(R"([{"joints": [3]}])");
+    file.json["scenes"][0]["nodes"] = {0, 1, 4};
+    file.json["animations"] = nlohmann::json::parse(
+        R"([{"channels": [{"sampler": 0, "target": {"path": "pointer"}},
+                          {"sampler": 0, "target": {"node": 1, "path": "rotation"}}], "samplers": []}])");
+    const std::vector<bool> expected{false, false, true, true, true, true, true, true};
+    CHECK(read_gltf(file.glb(), nullptr).dynamic == expected); // and the last two are not
+    file.json["animations"][0]["channels"][1]["target"]["node"] = 6;
+    check_refused(file, "animations[0].channels[1].target.node");
+}
+
 TEST_CASE("glTF: what a file requires and is not read is refused by name") {
     gltf_file file;
     file.json["extensionsRequired"] = {"KHR_materials_clearcoat", "KHR_texture_transform"};

@@ -84,6 +84,25 @@ TEST_CASE("mesh: paint is for the triangles that have none yet") {
     CHECK(with_opacity(scene, 0.25f).material_of(2) == material{{1, 1, 1, 0.25f}});
 }
 
+TEST_CASE("mesh: triangles are dynamic by the names that the scene has, and no others are looked for") {
+    mesh scene;
+    scene.named = {{"a", 0, 2}, {"b", 2, 3}, {"a", 4, 5}};
+    scene.dynamic = {false, false, false, true};
+    using flags = std::vector<bool>;
+    CHECK(with_dynamic(scene, {}, "s").dynamic == scene.dynamic);
+    const std::string names[] = {"b", "a"};
+    CHECK(with_dynamic(scene, std::span(names, 1), "s").dynamic == flags{false, false, true, true});
+    CHECK(with_dynamic(scene, names, "s").dynamic == flags{true, true, true, true, true});
+    const std::string wrong[] = {"b", "c\n"};
+    expect_error<scene_error>("s: no triangle is of a node or group named 'c?'; there are 'a', 'b'",
+                              [&] { with_dynamic(scene, wrong, "s"); });
+    for (int i = 0; i < 30; ++i)
+        scene.named.push_back({"n" + std::to_string(i), 0, 1});
+    expect_error<scene_error>("'n23', 'n24' and 12 more", [&] { with_dynamic(scene, wrong, "s"); });
+    expect_error<scene_error>("s: no triangle is of a node or group named 'b'; the scene names none",
+                              [&] { with_dynamic({}, names, "s"); });
+}
+
 TEST_CASE("mesh: triangles without area are left out") {
     gltf_file file;
     file.primitive()["indices"] = file.add<std::uint8_t>(gltf_uint8, "SCALAR", {0, 0, 1, 0, 1, 2});

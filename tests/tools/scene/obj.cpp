@@ -71,6 +71,15 @@ TEST_CASE("obj: materials of the faces below the line that names them") {
     CHECK(read.material_of(4) == material{});
 }
 
+TEST_CASE("obj: triangles have the names of their object and of their groups") {
+    const mesh read = read_obj(three + "f 1 2 3\no house\ng door wall\nf 1 2 3\nf 1 2 3\ng\nf 1 2 3\no car\n"
+                                       "g wall\ng empty\ng wall\nf 1 2 3\n");
+    CHECK(read.triangles() == 5);
+    CHECK(read.named == std::vector<named_triangles>{
+                            {"door", 1, 3}, {"wall", 1, 3}, {"house", 1, 4}, {"car", 4, 5}, {"wall", 4, 5}});
+    CHECK(read.dynamic.empty());
+}
+
 TEST_CASE("obj: faces of fewer corners, or without area, add nothing") {
     CHECK(indices(three + "f\nf 1\nf 1 2\nf 1 1 2\n").empty());
 }
