@@ -313,6 +313,33 @@ private:
     capture outer_, both_;
 };
 
+/// The visibility of the first of the surfaces of each texel alone, where all that is drawn has one opacity.
+std::vector<float> first_alone(const std::string& parts, const surfaces& layers,
+                               const oracle::triangles& drawn, std::uint32_t alpha = 255) {
+    std::vector<float> depth, normals;
+    for (std::size_t at = 0; at < layers.size(); ++at) {
+        const picture p = seen();
+        const auto x = static_cast<int>(at) % width, y = static_cast<int>(at) / width;
+        glm::dvec3 normal(0, 0, 1);
+        if (!layers[at].empty()) {
+            normal = layers[at][0].normal;
+            if (glm::dot(normal, p.to_eye(position_of(p, x, y, layers[at][0]))) < 0)
+                normal = -normal;
+        }
+        depth.push_back(layers[at].empty() ? 0 : static_cast<float>(layers[at][0].depth));
+        for (int i = 0; i < 3; ++i)
+            normals.push_back(static_cast<float>(normal[i]));
+        normals.push_back(0);
+    }
+    oracle::fragment_capture first(parts + "/r32f", width, height, lens::standard, "visibility", {}, {},
+                                   "given_normals");
+    first.set("radius", radius);
+    first.runner().upload("depth", depth);
+    first.runner().upload("normal", normals);
+    first.draw(drawn, all_of(alpha));
+    return first.runner().download("visibility");
+}
+
 }
 
 TEST_CASE("every layer against the oracle: occlusion by opacity, blended front to back") {
@@ -347,33 +374,25 @@ TEST_CASE("opacity 1 everywhere is the occlusion of the first surface by all lay
           "tap_grid:6/linked_lists:32x64/hbao_plus/multi_resolution:3x5"}) {
         CAPTURE(parts);
         const auto of_layers = run(parts + "/every_layer/r32f", drawn, all_of(255));
-        const surfaces layers = of_layers->surfaces();
-        std::vector<float> depth, normals;
-        for (std::size_t at = 0; at < layers.size(); ++at) {
-            const picture p = seen();
-            const auto x = static_cast<int>(at) % width, y = static_cast<int>(at) / width;
-            glm::dvec3 normal(0, 0, 1);
-            if (!layers[at].empty()) {
-                normal = layers[at][0].normal;
-                if (glm::dot(normal, p.to_eye(position_of(p, x, y, layers[at][0]))) < 0)
-                    normal = -normal;
-            }
-            depth.push_back(layers[at].empty() ? 0 : static_cast<float>(layers[at][0].depth));
-            for (int i = 0; i < 3; ++i)
-                normals.push_back(static_cast<float>(normal[i]));
-            normals.push_back(0);
-        }
-        oracle::fragment_capture first(parts + "/r32f", width, height, lens::standard, "visibility", {}, {},
-                                       "given_normals");
-        first.set("radius", radius);
-        first.runner().upload("depth", depth);
-        first.runner().upload("normal", normals);
-        first.draw(drawn);
-        const std::vector<float> expected = first.runner().download("visibility");
+        const std::vector<float> expected = first_alone(parts, of_layers->surfaces(), drawn);
         oracle::check_within(oracle::compare(of_layers->runner().download("visibility"),
                                              std::vector<double>(expected.begin(), expected.end()), width),
                              oracle::of_rounding);
     }
+}
+
+TEST_CASE("nodes of a compression occlude the first surface by their opacity in every resolution") {
+    const oracle::triangles drawn = oracle::soup(16, 4);
+    const std::string parts = "tap_grid:6/linked_lists:16x64/hbao_plus/multi_resolution:3x5";
+    const surfaces layers = run(parts + "/every_layer/r32f", drawn, all_of(255))->surfaces();
+    const std::vector<float> all = first_alone(parts, layers, drawn),
+                             nodes = first_alone(parts + "/compressed:8", layers, drawn);
+    double apart = 0;
+    for (std::size_t at = 0; at < all.size(); ++at)
+        apart += std::abs(double{nodes[at]} - double{all[at]}) / static_cast<double>(all.size());
+    CHECK(apart < 0.001); // depths are halves
+    CHECK(*std::ranges::min_element(all) < 0.8f);
+    CHECK(*std::ranges::min_element(first_alone(parts + "/compressed:8", layers, drawn, 0)) == 1);
 }
 
 TEST_CASE("opacity 0 neither casts nor receives") {
