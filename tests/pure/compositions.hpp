@@ -97,10 +97,10 @@ inline std::vector<std::string> every_recipe() {
     const std::vector<std::string> compressed =
         times(legal(times(legal(times(firsts, names_of(layer_compression))), names_of(receivers))),
               names_of(output));
-    const std::vector<std::string> resolved =
-        times(legal(times(legal(times(legal(times(firsts, names_of(resolutions))), optional(layer_compression))),
-                          names_of(receivers))),
-              names_of(output));
+    const std::vector<std::string> resolved = times(
+        legal(times(legal(times(legal(times(firsts, names_of(resolutions))), optional(layer_compression))),
+                    names_of(receivers))),
+        names_of(output));
     const std::vector<std::string> scans = times(legal(times(firsts, names_of(scan))), names_of(stage));
     const std::vector<std::string> reads =
         times(legal(times(times(firsts, names_of(image_reads)), names_of(depth_encoding))), optional(filter));
@@ -113,8 +113,8 @@ inline std::vector<std::string> every_recipe() {
                      {projection, depth_encoding, normals, noise, receivers, layer_compression, resolutions,
                       output_format, image_reads, stage, dialect}),
           times(captures, names_of(dialect)), times(compressed, names_of(dialect)),
-          times(resolved, names_of(dialect)),
-          times(scans, names_of(dialect)), times(reads, names_of(dialect))})
+          times(resolved, names_of(dialect)), times(scans, names_of(dialect)),
+          times(reads, names_of(dialect))})
         all.insert(all.end(), each.begin(), each.end());
     return legal(std::move(all));
 }

@@ -60,13 +60,15 @@ TEST_CASE("the smaller pictures are all that is kept of them, a level for each r
             CHECK(each.size.level == 1);
             CHECK(each.size.width_of(97, 8) == 56);
         }
-    for (std::size_t i = 3; i < 6; ++i) // what gathers in the picture that is halved once writes the first level
+    for (std::size_t i = 3; i < 6;
+         ++i) // what gathers in the picture that is halved once writes the first level
         for (const binding& b : four::passes[i].bindings)
             if (writes(b.how))
                 CHECK(b.level == four::passes[i].size.level - 1);
 }
 
-TEST_CASE("the smaller pictures have as many layers as receivers may find, which hand on a word for each side") {
+TEST_CASE(
+    "the smaller pictures have as many layers as receivers may find, which hand on a word for each side") {
     CHECK(layers_of<four>("resolutions") == 1);
     CHECK(layers_of<four>("odd_occlusion") == 1);
     CHECK(layers_of<layered<>>("resolutions") == 12);
