@@ -77,10 +77,24 @@ constexpr bool assert_each() {
     }();
 }
 
+template <class Trait, class Other>
+constexpr bool is_met = !has_role<Other, Trait::value.from> || offers<Other, Trait>;
+
 template <class Needer, class Trait, class Other>
 constexpr bool assert_met() {
-    if constexpr (has_role<Other, Trait::value.from>)
+    if constexpr (is_met<Trait, Other>)
+        return true;
+    else
         return Trait::template met<Needer, Other>();
+}
+
+/// Of several needs that are not met the first is told.
+template <class Needer, class... Others, class Trait, class... Rest>
+constexpr bool assert_met_in_turn(traits<Trait, Rest...>) {
+    if constexpr (!(is_met<Trait, Others> && ...))
+        return (assert_met<Needer, Trait, Others>() && ...);
+    else if constexpr (sizeof...(Rest) > 0)
+        return assert_met_in_turn<Needer, Others...>(traits<Rest...>{});
     else
         return true;
 }
@@ -88,12 +102,7 @@ constexpr bool assert_met() {
 template <class Needer, class... Others>
 constexpr bool assert_needs() {
     if constexpr (requires { typename Needer::needs; })
-        return []<class... Traits>(traits<Traits...>) {
-            constexpr auto one = []<class Trait>(Trait*) {
-                return (assert_met<Needer, Trait, Others>() && ...);
-            };
-            return (one(static_cast<Traits*>(nullptr)) && ...);
-        }(typename Needer::needs{});
+        return assert_met_in_turn<Needer, Others...>(typename Needer::needs{});
     else
         return true;
 }
