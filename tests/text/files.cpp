@@ -52,16 +52,6 @@ std::string_view text_of(const symbol_table& table, const definition& own) {
     return table.file->text.substr(own.begin, own.end - own.begin);
 }
 
-/// Whether a definition is a function: a bracket is the first that tells what it is.
-bool is_function(std::string_view text) {
-    while (true) {
-        const std::size_t comment = text.find("//"), mark = text.find_first_of("({=[;");
-        if (comment == std::string_view::npos || mark < comment)
-            return text[mark] == '(';
-        text.remove_prefix(text.find('\n', comment));
-    }
-}
-
 /// One GLSL file, and the program of a pass that may call it.
 class file_alone {
 public:

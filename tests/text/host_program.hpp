@@ -29,16 +29,19 @@ inline std::string without_recipe(std::string text) {
 }
 
 /// What a host writes before the functions of a pass.
-inline std::string host_begins(const crease::pass& p) {
-    if (p.dialect != crease::dialect_kind::glsl_es)
-        return p.dialect == crease::dialect_kind::opengl ? "#version 430\n"
-               : p.dialect == crease::dialect_kind::vulkan
-                   ? "#version 450\n"
-                   : "#version 450\n#extension "
-                     "GL_EXT_samplerless_texture_functions : require\n";
-    const bool is_300 = text_of(p).find("/glsl_es:300") != std::string::npos;
-    return std::string("#version ") + (is_300 ? "300" : "310") +
-           " es\nprecision highp float;\nprecision highp int;\n";
+inline std::string_view host_begins(const crease::pass& p) {
+    switch (p.dialect) {
+    case crease::dialect_kind::opengl:
+        return "#version 430\n";
+    case crease::dialect_kind::vulkan:
+        return "#version 450\n";
+    case crease::dialect_kind::webgpu:
+        return "#version 450\n#extension GL_EXT_samplerless_texture_functions : require\n";
+    default:
+        return text_of(p).find("/glsl_es:300") != std::string::npos
+                   ? "#version 300 es\nprecision highp float;\nprecision highp int;\n"
+                   : "#version 310 es\nprecision highp float;\nprecision highp int;\n";
+    }
 }
 
 /// The stage of the whole program: functions of GLSL ES stand in a fragment shader, as 3.00 has no other.
@@ -54,11 +57,8 @@ inline std::vector<crease::piece> whole_program(const crease::pass& p) {
     using namespace std::string_view_literals;
     const bool vulkan = p.dialect == crease::dialect_kind::vulkan;
     std::vector<crease::piece> whole(p.pieces.begin(), p.pieces.end());
-    if (p.stage == crease::stage_kind::functions || p.stage == crease::stage_kind::geometry) {
-        static thread_local std::string begin;
-        begin = host_begins(p);
-        whole.insert(whole.begin(), {"version", begin});
-    }
+    if (p.stage == crease::stage_kind::functions || p.stage == crease::stage_kind::geometry)
+        whole.insert(whole.begin(), {"version", host_begins(p)});
     if (p.stage == crease::stage_kind::functions) {
         const bool is_last = text_of(p).find("float crease_visibility(") != std::string::npos;
         if (p.dialect == crease::dialect_kind::glsl_es) {
@@ -123,9 +123,8 @@ inline void check_opengl(const crease::pass& p) {
     spirv::check_opengl(host);
 }
 
-/// Checks a program, and collects what stands in it without a use.
-inline void check_program(const crease::effect_view& effect, const crease::pass& p,
-                          std::set<std::string>& without_use) {
+/// Adds what stands in a program without a use.
+inline void collect_unused(const crease::pass& p, std::set<std::string>& without_use) {
     std::string whole;
     for (const crease::piece& each : whole_program(p))
         whole += each.text;
@@ -133,6 +132,10 @@ inline void check_program(const crease::effect_view& effect, const crease::pass&
         without_use.insert(each + " in " + std::string(p.name));
     for (const std::string& each : definitions_without_caller(whole_program(p)))
         without_use.insert(each + " in " + std::string(p.name));
+}
+
+/// Checks that a program compiles for its language.
+inline void check_program(const crease::effect_view& effect, const crease::pass& p) {
     if (p.dialect == crease::dialect_kind::vulkan)
         check_vulkan(effect, p);
     else if (p.dialect == crease::dialect_kind::webgpu)

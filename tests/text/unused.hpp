@@ -12,10 +12,9 @@
 #include <string_view>
 #include <vector>
 
-/// Calls `action` with each identifier of a text that begins with `crease_`, comments aside, and with that
-/// before it.
+/// Calls `action` with each word of a text and with that before it, comments aside.
 template <class Action>
-void for_each_identifier(std::string_view text, Action action) {
+void for_each_word(std::string_view text, Action action) {
     std::string_view before;
     for (std::size_t i = 0; i < text.size();) {
         if (text.substr(i).starts_with("//"))
@@ -24,10 +23,31 @@ void for_each_identifier(std::string_view text, Action action) {
         while (end < text.size() && crease::reading::is_word(text[end]))
             ++end;
         const std::string_view word = text.substr(i, end - i);
-        if (word.starts_with("crease_"))
+        if (!word.empty())
             action(word, before);
         before = word.empty() ? before : word;
         i = end == i ? i + 1 : end;
+    }
+}
+
+/// The same of each identifier that begins with `crease_`.
+template <class Action>
+void for_each_identifier(std::string_view text, Action action) {
+    for_each_word(text, [&action](std::string_view word, std::string_view before) {
+        if (word.starts_with("crease_"))
+            action(word, before);
+    });
+}
+
+/// Whether a definition is a function: a bracket is the first that tells what it is.
+inline bool is_function(std::string_view text) {
+    while (true) {
+        const std::size_t comment = text.find("//"), mark = text.find_first_of("({=[;");
+        if (mark == std::string_view::npos)
+            return false;
+        if (comment == std::string_view::npos || mark < comment)
+            return text[mark] == '(';
+        text.remove_prefix(text.find('\n', comment));
     }
 }
 
