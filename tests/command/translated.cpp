@@ -80,6 +80,15 @@ TEST_CASE("emit: of a geometry pass every language has the GLSL") {
     CHECK(manifest["passes"][1]["shaders"][0]["format"] == "hlsl");
 }
 
+TEST_CASE("emit: the number of the array that tells MSL how long buffers are") {
+    const temporary_folder folder;
+    const json manifest = manifest_of("emit directions:8x4/linear_lists/hbao --target msl", folder);
+    const json& of_sort = manifest["passes"][4]["shaders"][0];
+    CHECK(of_sort["entry_point"] == "pack_layers_main");
+    CHECK(of_sort["buffer_sizes"] == 4);
+    CHECK_FALSE(manifest["passes"][5]["shaders"][0].contains("buffer_sizes"));
+}
+
 TEST_CASE("emit: what a language cannot is refused, and nothing is written") {
     const struct {
         const char *arguments, *sentence;

@@ -28,21 +28,10 @@ bool changes_wide_image(const std::string& text) {
     return false;
 }
 
-/// Whether the text asks how long an array is that it declares without a length.
-bool asks_length_of_buffer(const std::string& text) {
-    for (std::size_t at = text.find(".length()"); at != std::string::npos;
-         at = text.find(".length()", at + 1)) {
-        const std::size_t name = text.find_last_of(" (!", at) + 1;
-        if (contains(text, " " + text.substr(name, at - name) + "[];"))
-            return true;
-    }
-    return false;
-}
-
 /// Whether a language has no counterpart of a program, read from its GLSL.
 bool is_beyond(const std::string& glsl, const pass& p, const target& to) {
     if (to.to == language::msl)
-        return contains(glsl, "imageAtomic") || asks_length_of_buffer(glsl);
+        return contains(glsl, "imageAtomic");
     if (contains(glsl, "subgroup"))
         return true;
     if (to.to != language::glsl_es)
@@ -82,6 +71,7 @@ void check_translation(const effect_view& effect, const pass& p, const spirv::wo
         CHECK_FALSE(is_beyond_language);
         CHECK_NOTHROW(translate::check(made));
         CHECK(declared_numbers(made).all == told_numbers(made));
+        CHECK(made.buffer_sizes.has_value() == contains(made.text, "spvBufferSizeConstants"));
         CHECK(contains(made.text, " " + made.entry_point + "("));
         if (p.bindings.size() > 0 && p.bindings[0].how == access::uniform)
             expect_settings(effect, made);

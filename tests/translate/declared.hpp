@@ -106,5 +106,7 @@ inline std::map<std::string, std::string> told_numbers(const crease::translate::
         else if (b.sampler)
             all[b.identifier + "Smplr"] = "sampler " + std::to_string(*b.sampler);
     }
+    if (made.buffer_sizes)
+        all["spvBufferSizeConstants"] = "buffer " + std::to_string(*made.buffer_sizes);
     return all;
 }

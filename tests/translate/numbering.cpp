@@ -81,3 +81,33 @@ TEST_CASE("numbers that cannot be are refused") {
                                  .places = {{"depth", {.number = 3}}, {"output", {.number = 3}}}});
           }) == "pass 'scale' cannot be MSL 2.1: 'depth' and 'output' are both given texture_index 3");
 }
+
+TEST_CASE("MSL is told how long buffers are") {
+    const piece pieces[] = {{"whole",
+                             "#version 450\nlayout(local_size_x = 8) in;\n"
+                             "layout(std430, binding = 0) buffer first_buffer { uint first[]; };\n"
+                             "layout(std430, binding = 1) buffer last_buffer { uint n; uvec2 last[]; };\n"
+                             "void main() { first[0] = uint(last.length()); }\n"}};
+    const spirv::words module = spirv::compile(pieces, spirv::shader_stage::compute);
+    pass asks;
+    asks.name = "asks";
+    const auto made_with = [&](std::map<std::string, translate::place> places) {
+        return translate::module({}, asks, module,
+                                 {.to = language::msl, .version = 21, .places = std::move(places)});
+    };
+    const translate::translation counted = made_with({});
+    CHECK(counted.buffer_sizes == 2);
+    CHECK(declared_numbers(counted).all == told_numbers(counted));
+    CHECK(contains(counted.text, "= spvBufferSizeConstants[1];")); // of the last buffer, by its own number
+    CHECK(contains(counted.text, "BufferSize - 8) / 8"));          // less what stands before the array
+    const translate::translation given = made_with({{"buffer_sizes", {.number = 0}}});
+    CHECK(given.buffer_sizes == 0);
+    CHECK(declared_numbers(given).all == told_numbers(given));
+    CHECK(contains(given.text, "= spvBufferSizeConstants[2];"));
+    CHECK(sentence_of([&] {
+              made_with({{"buffer_sizes", {.number = 5}}, {"last_buffer", {.number = 5}}});
+          }) ==
+          "pass 'asks' cannot be MSL 2.1: 'last_buffer' and 'buffer_sizes' are both given buffer_index 5");
+    CHECK_FALSE(
+        translate::shader(little::effect, little::scale, {.to = language::msl, .version = 21}).buffer_sizes);
+}

@@ -58,6 +58,8 @@ void add_translation(ordered_json& told, const translate::translation& made) {
         if (b.sampler)
             placed["sampler"] = *b.sampler;
     }
+    if (made.buffer_sizes)
+        told["buffer_sizes"] = *made.buffer_sizes;
     told["constants"] = ordered_json::array();
     for (const translate::placed_constant& c : made.constants) {
         ordered_json& placed = told["constants"].emplace_back(

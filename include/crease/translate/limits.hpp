@@ -65,11 +65,9 @@ private:
 
     /// What SPIRV-Cross writes for atomic operations on images takes no heed of the layer.
     std::string of_msl() const {
-        if (uses_.operations.contains(spv::OpImageTexelPointer))
-            return "changes an image by atomic operations, which MSL has from 3.1 on";
-        if (uses_.operations.contains(spv::OpArrayLength))
-            return "asks for the length of a buffer, which MSL does not tell";
-        return "";
+        return uses_.operations.contains(spv::OpImageTexelPointer)
+                   ? "changes an image by atomic operations, which MSL has from 3.1 on"
+                   : "";
     }
 
     std::string of_es() const {

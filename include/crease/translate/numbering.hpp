@@ -28,6 +28,9 @@ struct wanted_binding {
     bool is_written = false;
 };
 
+/// By which the host names the place of the array that tells MSL how long buffers are.
+inline constexpr const char* buffer_sizes_name = "buffer_sizes";
+
 /// The bindings of a pass in its order, and then those that the module has beside them, which are a host's.
 inline std::vector<wanted_binding> bindings_of(const effect_view& effect, const pass& which,
                                                const spirv::reflection& module) {
@@ -122,6 +125,8 @@ private:
 inline void expect_known(const effect_view& effect, const std::vector<wanted_binding>& bindings,
                          const target& to) {
     std::set<std::string> names, numbers;
+    if (to.to == language::msl)
+        names.insert(buffer_sizes_name);
     for (const wanted_binding& b : bindings)
         names.insert(b.name);
     for (const pass& each : effect.passes) {

@@ -53,6 +53,7 @@ inline std::unique_ptr<spirv_cross::CompilerGLSL> msl_compiler(const shader_sour
     auto compiler = std::make_unique<spirv_cross::CompilerMSL>(of.module);
     spirv_cross::CompilerMSL::Options options;
     options.set_msl_version(of.made.made_for.version / 10, of.made.made_for.version % 10);
+    options.buffer_size_buffer_index = of.made.buffer_sizes.value_or(0);
     compiler->set_msl_options(options);
     for (std::size_t i = 0; i < of.wanted.size(); ++i) {
         const placed_binding& p = of.made.bindings[i];
@@ -175,6 +176,18 @@ inline unsigned size_along(const spirv::workgroup_axis& axis, const std::vector<
     return set == constants.end() ? axis.size : static_cast<unsigned>(set->value);
 }
 
+/// Gives what a shader binds its numbers, and with them, where it `has_sizes`, the array of sizes of buffers.
+inline void place_bindings(shader_source& of, const pass& which, bool has_sizes) {
+    std::vector<wanted_binding> all = of.wanted;
+    if (has_sizes)
+        all.push_back({.name = buffer_sizes_name, .identifier = "", .kind = binding_kind::uniform_block});
+    of.made.bindings = numbering(which, of.made.made_for).place(all);
+    if (has_sizes) {
+        of.made.buffer_sizes = of.made.bindings.back().number;
+        of.made.bindings.pop_back();
+    }
+}
+
 inline translation translated(const effect_view& effect, const pass& which,
                               std::span<const std::uint32_t> module, const target& to) {
     expect_version(which, to);
@@ -192,7 +205,7 @@ inline translation translated(const effect_view& effect, const pass& which,
     made.constants = constants_of(which, found, to);
     made.group_width = size_along(found.workgroup[0], made.constants);
     made.group_height = size_along(found.workgroup[1], made.constants);
-    made.bindings = numbering(which, to).place(source.wanted);
+    place_bindings(source, which, to.to == language::msl && uses.operations.contains(spv::OpArrayLength));
     source.module = to.frozen || !to.constants.empty() ? with_constants(module, made.constants, to.frozen)
                                                        : spirv::words(module.begin(), module.end());
     try {

@@ -54,7 +54,7 @@ struct target {
     language to = language::hlsl; ///< which language
     unsigned version = 50;        ///< one of `versions_of`
     std::string entry_point{}; ///< in HLSL and MSL; empty: `main`, which MSL forbids, and there `<pass>_main`
-    std::map<std::string, place> places{};  ///< by name of the binding, as in "depth"
+    std::map<std::string, place> places{};  ///< by name of the binding, as in "depth"; "buffer_sizes" in MSL
     std::map<std::string, int> constants{}; ///< other defaults of specialization constants, by "part.number"
     bool frozen = false;                    ///< constants are literals, which nothing sets later
 };

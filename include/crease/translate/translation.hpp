@@ -63,6 +63,10 @@ struct translation {
     unsigned group_height = 0;              ///< the same, other axis; 1 deep
     std::vector<placed_binding> bindings;   ///< those of the pass in its order, then a host's own
     std::vector<placed_constant> constants; ///< those that can still be set: none where they are frozen
+
+    /// In MSL, where the shader asks for the length of a buffer: the buffer_index of an array of `uint` that
+    /// the host fills, at the buffer_index of each storage buffer with its size in bytes.
+    std::optional<unsigned> buffer_sizes;
 };
 
 }
