@@ -55,7 +55,7 @@ glm::dmat4 make_projection(lens kind, double aspect) {
         m[2][1] = -0.2;
     } else if (kind == lens::orthographic) {
         m = glm::dmat4(0);
-        m[0][0] = 1 / (2 * aspect);
+        m[0][0] = 0.48 / aspect; // texels are no squares, whose diagonals would meet the corners of others
         m[1][1] = -0.5;
         m[2][2] = -1 / (far_plane - near_plane);
         m[3][2] = -near_plane / (far_plane - near_plane);
