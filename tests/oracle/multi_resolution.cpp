@@ -66,9 +66,11 @@ resolution whole(const picture& p, const std::vector<std::vector<surface_fragmen
     return all;
 }
 
-/// Of four texels the layers: as long as two of them have one more, the next of each, halved.
+/// Of four texels the layers: as long as two of them have one more, the next of each, halved. One that is not
+/// near in all four leaves those behind it out of step.
 std::vector<layer> halved(const std::array<const std::vector<layer>*, 4>& four, double step) {
     std::vector<layer> kept;
+    bool in_step = true;
     for (std::size_t i = 0;; ++i) {
         std::vector<layer> there;
         for (const std::vector<layer>* each : four)
@@ -78,7 +80,8 @@ std::vector<layer> halved(const std::array<const std::vector<layer>*, 4>& four, 
             return kept;
         std::ranges::sort(there, [](const layer& a, const layer& b) { return a.position.z > b.position.z; });
         layer own = there[1];
-        if (there.size() == 4 && there[0].position.z - there[3].position.z <= step) {
+        in_step &= there.size() == 4 && there[0].position.z - there[3].position.z <= step;
+        if (in_step) {
             own.position = (there[1].position + there[2].position) / 2.0;
             own.normal = glm::normalize(there[1].normal + there[2].normal);
             own.opacity = (there[1].opacity + there[2].opacity) / 2;
@@ -353,9 +356,26 @@ TEST_CASE(
     const oracle::triangles drawn = oracle::soup(30, 3);
     check_layers({40, 24}, drawn, false);
     check_layers({40, 24}, drawn, true);
-    check_layers({37, 23}, drawn, false);                  // halves with odd sides
+    check_layers({37, 23}, drawn, false); // halves with odd sides
+    check_layers({40, 24, lens::orthographic}, drawn, false);
+    check_layers({40, 24, lens::orthographic}, drawn, true);
     for (const std::uint32_t rubbish : {0x7fc00000u, ~0u}) // what memory held before
         check_layers({24, 16, lens::standard, rubbish}, drawn, true);
+}
+
+TEST_CASE("a wall behind the edge of glass is open, whatever is close behind the wall") {
+    oracle::triangles drawn;
+    oracle::add_quad(drawn, {-9, -9, -3}, {9, 0, 0}, {3, 18, 0}); // clear glass, whose edge is slanted
+    oracle::add_quad(drawn, {-9, -9, -4.5f}, {18, 0, 0}, {0, 18, 0});
+    oracle::add_quad(drawn, {-9, -9, -4.9f}, {18, 0, 0}, {0, 18, 0}); // nearer to the wall than a step
+    oracle::color_table colors;
+    colors.fill(0xff808080u);
+    colors[0] = colors[1] = 0x01808080u;
+    for (const std::string receivers : {"every_layer", "thin_layers"}) {
+        CAPTURE(receivers);
+        const auto made = layers_of_triangles{40, 24}.run(receivers + "/multi_resolution:3x5", drawn, colors);
+        CHECK(std::ranges::min(made->runner().download("visibility")) > 0.98f);
+    }
 }
 
 TEST_CASE("nodes of a compression are layers of all resolutions; receivers of all layers have all of them") {

@@ -19,15 +19,17 @@ void crease_multi_resolution_order(inout uvec4 a, inout uvec4 b) {
 }
 
 // A layer of a smaller picture, of four: of such as are near each other in depth the mean of the middle two, else the
-// second nearest: Hoang and Low 2010.
-uvec4 crease_halved(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {
+// second nearest: Hoang and Low 2010. Behind a layer that not all four have, places in order are no longer those of one
+// surface, and a mean would lie between two.
+uvec4 crease_halved(uvec4 a, uvec4 b, uvec4 c, uvec4 d, inout bool aligned) {
     crease_multi_resolution_order(a, b);
     crease_multi_resolution_order(c, d);
     crease_multi_resolution_order(a, c); // a is the nearest
     crease_multi_resolution_order(b, d); // d is the farthest
     crease_multi_resolution_order(b, c);
     float apart = uintBitsToFloat(a.z) - uintBitsToFloat(d.z);
-    if (!(apart <= crease_multi_resolution_step * crease_radius))
+    aligned = aligned && apart <= crease_multi_resolution_step * crease_radius;
+    if (!aligned)
         return b;
     vec3 position = 0.5 * (uintBitsToFloat(b.xyz) + uintBitsToFloat(c.xyz));
     vec3 normal = crease_unpack_surface_normal(b.w) + crease_unpack_surface_normal(c.w);
@@ -46,11 +48,11 @@ uvec4 crease_next_layer(ivec2 texel, int i, inout bool more) {
 // least two of the four have.
 void crease_build(ivec2 texel) {
     ivec2 first = 2 * texel;
-    bool a = true, b = true, c = true, d = true, more = true;
+    bool a = true, b = true, c = true, d = true, more = true, aligned = true;
     for (int i = 0; more && i < crease_most_coarse_layers; ++i) {
         uvec4 layer = crease_halved(crease_next_layer(first, i, a), crease_next_layer(first + ivec2(1, 0), i, b),
                                     crease_next_layer(first + ivec2(0, 1), i, c),
-                                    crease_next_layer(first + ivec2(1, 1), i, d));
+                                    crease_next_layer(first + ivec2(1, 1), i, d), aligned);
         imageStore(crease_resolutions, ivec3(texel, i), layer);
         more = crease_is_coarse_layer(layer);
     }
