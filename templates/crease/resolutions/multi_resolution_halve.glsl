@@ -19,8 +19,8 @@ void crease_multi_resolution_order(inout uvec4 a, inout uvec4 b) {
 }
 
 // A layer of a smaller picture, of four: of such as are near each other in depth the mean of the middle two, else the
-// second nearest: Hoang and Low 2010. Behind a layer that not all four have, places in order are no longer those of one
-// surface, and a mean would lie between two.
+// second nearest: Hoang and Low 2010. Behind layers that are not near each other, places in order are no longer those of
+// one surface, and a mean would lie between two.
 uvec4 crease_halved(uvec4 a, uvec4 b, uvec4 c, uvec4 d, inout bool aligned) {
     crease_multi_resolution_order(a, b);
     crease_multi_resolution_order(c, d);
