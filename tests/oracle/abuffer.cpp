@@ -161,8 +161,9 @@ fragment_capture::fragment_capture(const std::string& recipe, unsigned width, un
                                    std::optional<std::uint32_t> rubbish, std::string_view normals)
     : width_(width), height_(height),
       projection_(clip_from_view(seen_by, static_cast<double>(width) / height)),
-      composed_(compose(recipe + "/linear_depth/" + std::string(normals) +
-                        (seen_by == lens::orthographic ? "/orthographic" : ""))),
+      composed_(
+          compose(recipe + "/linear_depth/" + std::string(normals) +
+                  (seen_by == lens::orthographic || seen_by == lens::anamorphic ? "/orthographic" : ""))),
       how_(composed_->view().defaults), host_{.vertex = vertex,
                                               .fragment = fragment_text,
                                               .push_constant_bytes = sizeof(glm::mat4)} {

@@ -220,14 +220,14 @@ TEST_CASE("coverage: at a grazing angle cells are as wide as the texel is long, 
 }
 
 TEST_CASE("coverage: thresholds stay on the surface when the camera moves along it") {
+    // Seen by an orthographic lens that is 4 units high, a texel is 1/64 wide.
     constexpr unsigned high = 256;
-    const auto wide = static_cast<float>(2 / oracle::make_projection(lens::orthographic, 1)[0][0]); // units
     for (const char* name : {"isotropic_threshold", "anisotropic_threshold"}) {
         CAPTURE(std::string(name));
         layer_capture capture(std::string("atomic_minimum/") + name, 8, high, high, lens::orthographic);
         capture.draw(oracle::wall(3), {.opacity = 0.3f});
         const std::vector<std::uint32_t> before = capture.runner().download_uint("captured_layers");
-        capture.draw(oracle::wall(3), {.opacity = 0.3f, .moved = {5 * wide / high, 0, 0}});
+        capture.draw(oracle::wall(3), {.opacity = 0.3f, .moved = {5.0f / 64, 0, 0}});
         const std::vector<std::uint32_t> after = capture.runner().download_uint("captured_layers");
         std::size_t other = 0, count = 0;
         for (std::size_t i = 0; i < before.size(); ++i)

@@ -357,8 +357,8 @@ TEST_CASE(
     check_layers({40, 24}, drawn, false);
     check_layers({40, 24}, drawn, true);
     check_layers({37, 23}, drawn, false); // halves with odd sides
-    check_layers({40, 24, lens::orthographic}, drawn, false);
-    check_layers({40, 24, lens::orthographic}, drawn, true);
+    check_layers({40, 24, lens::anamorphic}, drawn, false);
+    check_layers({40, 24, lens::anamorphic}, drawn, true);
     for (const std::uint32_t rubbish : {0x7fc00000u, ~0u}) // what memory held before
         check_layers({24, 16, lens::standard, rubbish}, drawn, true);
 }

@@ -53,9 +53,9 @@ glm::dmat4 make_projection(lens kind, double aspect) {
     } else if (kind == lens::off_centre) {
         m[2][0] = 0.3;
         m[2][1] = -0.2;
-    } else if (kind == lens::orthographic) {
+    } else if (kind == lens::orthographic || kind == lens::anamorphic) {
         m = glm::dmat4(0);
-        m[0][0] = 0.48 / aspect; // texels are no squares, whose diagonals would meet the corners of others
+        m[0][0] = (kind == lens::anamorphic ? 0.48 : 0.5) / aspect;
         m[1][1] = -0.5;
         m[2][2] = -1 / (far_plane - near_plane);
         m[3][2] = -near_plane / (far_plane - near_plane);

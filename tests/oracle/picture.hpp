@@ -39,7 +39,8 @@ struct picture {
     glm::dvec3 to_eye(glm::dvec3 position) const;
 };
 
-enum class lens { standard, reversed, infinite, off_centre, orthographic };
+/// An anamorphic one is orthographic, of texels that are no squares, whose diagonals meet no corners.
+enum class lens { standard, reversed, infinite, off_centre, orthographic, anamorphic };
 
 /// Projection of a lens with the near plane at 0.1 and the far plane, where there is one, at 50.
 glm::dmat4 make_projection(lens kind, double aspect);
