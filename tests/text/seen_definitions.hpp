@@ -42,12 +42,6 @@ private:
     std::vector<crease::piece> pieces_;
 };
 
-/// The name that a piece defines; 0 where it is no definition.
-inline crease::symbol defined_name(const crease::piece& p) {
-    const auto table = std::make_unique<crease::symbol_table>(crease::read_symbols({p.name, p.text}));
-    return table->definitions.size() == 1 ? table->definitions[0].name : 0;
-}
-
 /// The definitions of all programs so far, each with what it depends on: heads of functions, structs and
 /// lines of the interface. A compiler knows no more of a definition: where all of a program's stood in
 /// programs that compile, and it declares each name before it uses it, it compiles too.
@@ -62,10 +56,11 @@ public:
             declare(each, declared);
         for (auto [at, end] = declared.equal_range("extension"); at != end; ++at)
             language += at->second->text;
+        const fragment& where = read(language);
         bool is_new = false;
         for (const crease::piece& each : program)
             if (each.name != "interface")
-                is_new |= known_.insert(with_dependencies(read(language), read(each.text), declared)).second;
+                is_new |= known_.insert(with_dependencies(where, read(each.text), declared)).second;
         return is_new;
     }
 

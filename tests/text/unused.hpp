@@ -51,6 +51,12 @@ inline bool is_function(std::string_view text) {
     }
 }
 
+/// The name that a piece defines; 0 where it is no definition.
+inline crease::symbol defined_name(const crease::piece& p) {
+    const auto table = std::make_unique<crease::symbol_table>(crease::read_symbols({p.name, p.text}));
+    return table->definitions.size() == 1 ? table->definitions[0].name : 0;
+}
+
 /// The identifiers that begin with `crease_` and stand only once in a program: what is declared must be used.
 /// The names of blocks do not count, which only a host uses.
 inline std::vector<std::string> identifiers_without_use(std::string_view text) {
@@ -75,9 +81,7 @@ inline std::vector<std::string> definitions_without_caller(std::span<const creas
     std::set<crease::symbol> reached;
     std::vector<crease::symbol> next;
     for (const crease::piece& each : whole) {
-        const crease::glsl_file file{each.name, each.text};
-        const auto table = std::make_unique<crease::symbol_table>(crease::read_symbols(file));
-        const crease::symbol name = table->definitions.size() == 1 ? table->definitions[0].name : 0;
+        const crease::symbol name = defined_name(each);
         const bool is_root =
             each.name == "interface" || each.name == "host" || name == crease::main_symbol || name == 0;
         for_each_identifier(each.text, [&](std::string_view word, std::string_view) {
